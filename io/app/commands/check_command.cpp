@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -33,6 +34,7 @@
 #include "io/input/motion/motion_files.h"
 #include "io/output/drawing/drawing.h"
 #include "io/output/measures/capacity/capacity_file.h"
+#include "io/output/results/run_file.h"
 #include "solver/contact/head_on.h"
 #include "solver/run/simulation.h"
 #include "solver/setup/laws/optional_laws.h"
@@ -328,6 +330,19 @@ int check(const LoadedCase& c, const CheckOptions& o, int threads) {
   return sound ? kDone : kInputFault;
 }
 
+/// Whether the word is the folder of a run, or its run.h5.
+bool is_run(const std::string& word) {
+  std::error_code error;
+  return word.ends_with(".h5") || std::filesystem::exists(word + "/run.h5", error);
+}
+
+/// Checks every byte of the results of a run. \throw FileError
+int check_results(const std::string& run) {
+  const std::size_t files = check_run(run);
+  std::printf("results are as they were written: %zu %s\n", files, files == 1 ? "file" : "files");
+  return kDone;
+}
+
 }  // namespace
 
 Command add_check(CLI::App& program) {
@@ -341,7 +356,7 @@ Command add_check(CLI::App& program) {
   add_format(*words, w->o.json);
   words->footer("example: voussoir check my-house.toml --draw my-house.svg");
   return {.words = words,
-          .work = [w] { return with_case(w->c, [w](const auto& c) { return check(c, w->o, w->c.threads); }); },
+          .work = [w] { return is_run(w->c.name) ? check_results(w->c.name) : with_case(w->c, [w](const auto& c) { return check(c, w->o, w->c.threads); }); },
           .threads = &w->c.threads};
 }
 

@@ -11,6 +11,7 @@
 #include "io/input/files/errors.h"
 #include "io/input/files/hdf5_file.h"
 #include "io/input/files/packed_text.h"
+#include "io/input/files/sealed_file.h"
 #include "io/output/replay/covered_faces.h"
 #include "io/output/replay/frame_reader.h"
 #include "io/output/replay/joint_cracks.h"
@@ -55,6 +56,8 @@ void put_bodies(Scripts& out, const Hdf5File& file, const FrameReader& reader) {
     const ReportBodies bodies = report_bodies(file, reader);
     out.put("application/json", "bodies", bodies.json);
     out.put("body-ids", steps(bodies.id, static_cast<std::size_t>(reader.elements())));
+  } catch (const DamagedFile&) {
+    throw;
   } catch (const FileError& e) {
     std::fprintf(stderr, "warning: the page has no mechanism: %s\n", e.what());
   }

@@ -17,6 +17,7 @@
 #include "io/input/case_file/case_file.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/hdf5_file.h"
+#include "io/input/files/sealed_file.h"
 #include "io/input/motion/motion_files.h"
 #include "io/input/motion/spectra/figures.h"
 #include "io/input/motion/spectra/intensity.h"
@@ -194,6 +195,8 @@ cases::GroundMotion motion_of(const LoadedCase& c, const Hdf5File& file) {
     cases::GroundMotion records = load_motion(m, c.value.folder);
     if (shook(records, file)) return records;
     std::fprintf(stderr, "warning: the records of the motion have changed since the run; the page shows the motion that the run holds\n");
+  } catch (const DamagedFile&) {
+    throw;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "warning: %s; the page shows the motion that the run holds\n", e.what());
   }
@@ -224,6 +227,8 @@ void add_ground(const LoadedCase& c, const Hdf5File& file, const FrameReader& fr
     facts["motion"]["peak"] = peak;
     if (!times.empty()) plots.push_back(ground_plot(motion, 0.0, times.back()));
     facts["ground"] = ground_track(motion, frames.times());
+  } catch (const DamagedFile&) {
+    throw;
   } catch (const std::exception& e) {
     warn("ground motion", e);
   }
@@ -248,6 +253,8 @@ void add_measures(const Hdf5File& file, Json& facts, std::vector<Plot>& plots) {
     std::vector<Curve> fallen = columns(m.series.fallen_mass_fraction, {"fallen mass"}, 100);
     if (m.initial_free_volume > 0) fallen.push_back({"free volume under the roof", thinned(m.series.free_volume, 0, 1, 100)});
     plots.push_back({m.initial_free_volume > 0 ? "Fallen mass, volume left under the roof" : "Fallen mass", "%", time, std::move(fallen)});
+  } catch (const DamagedFile&) {
+    throw;
   } catch (const FileError& e) {
     warn("measures of the collapse", e);
   }
@@ -262,6 +269,8 @@ void add_building(const Hdf5File& file, Json& facts) {
       facts["walls"].push_back({{"name", w.name}, {"low", w.box.low}, {"high", w.box.high}, {"across", w.across}, {"outward", w.outward}});
     for (const Room& r : b.rooms)
       facts["rooms"].push_back({{"low", {r.low[0], r.low[1], r.floor}}, {"high", {r.high[0], r.high[1], r.ceiling}}});
+  } catch (const DamagedFile&) {
+    throw;
   } catch (const FileError& e) {
     warn("names of walls", e);
   }
@@ -271,6 +280,8 @@ void add_building(const Hdf5File& file, Json& facts) {
 std::optional<LoadedCase> case_of(const Hdf5File& file) {
   try {
     return read_case({file.path(), file.attribute_text("/case", "toml")});
+  } catch (const DamagedFile&) {
+    throw;
   } catch (const std::exception& e) {
     warn("ground motion", e);
     return {};

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Results as arrays."""
 
+import pathlib
+import re
 import shutil
 import tempfile
 
@@ -70,15 +72,55 @@ class Results(InAFolder):
         self.assertEqual(run.case["block"][0]["box"][1][0], at[0] + 0.2)
 
     def test_frames_of_files_before_schema_5(self):
-        shutil.copy(f"{self.scratch.name}/pair/run.h5", self.folder / "run.h5")
+        sealed = pathlib.Path(f"{self.scratch.name}/pair/run.h5").read_bytes()
+        contents = int(re.search(rb"(\d+) bytes of HDF5", sealed[:512])[1])
+        (self.folder / "run.h5").write_bytes(sealed[512:512 + contents])
         with h5py.File(self.folder / "run.h5", "r+") as file:
+            file.attrs["schema_version"] = 4
             position = file["model/element/position0"][:] + file["frames/displacement"][:]
             del file["frames/displacement"], file["model/origin"]
             file["frames/position"] = position.astype("f4")
-        old, new = voussoir.Run(self.folder).frames[-1], self.run_.frames[-1]
+        with self.assertWarnsRegex(voussoir.ProgramWarning, "not sealed .schema 4."):
+            old, new = voussoir.Run(self.folder).frames[-1], self.run_.frames[-1]
         self.assertLess(abs(np.asarray(old.displacement) - new.displacement).max(), 1e-7)
         self.assertLess(abs(np.asarray(old.position) - new.position).max(), 1e-7)
         self.assertLess(abs(old.vertices() - new.vertices()).max(), 1e-7)
+
+    def copied(self):
+        """A copy of the run's results, and their bytes."""
+        shutil.copy(f"{self.scratch.name}/pair/run.h5", self.folder / "run.h5")
+        return self.folder / "run.h5", bytearray((self.folder / "run.h5").read_bytes())
+
+    def test_no_damaged_page_is_read(self):
+        path, right = self.copied()
+        kinetic = np.asarray(self.run_.energy.kinetic).tobytes()
+        at = right.find(kinetic)
+        self.assertGreater(at, 0)
+        for place in (at, at + len(kinetic) - 1, 0, 100, len(right) - 1):
+            wrong = bytearray(right)
+            wrong[place] ^= 1
+            path.write_bytes(wrong)
+            with self.assertRaisesRegex(voussoir.FileError, "damaged"):
+                _ = voussoir.Run(self.folder).energy.kinetic
+        path.write_bytes(right[:-1])
+        with self.assertRaisesRegex(voussoir.FileError, "were written"):
+            _ = voussoir.Run(self.folder).finished
+
+    def test_a_later_schema_and_a_lost_seal_are_refused(self):
+        for version, words in ((7, "a later program wrote it"), (6, "lost its seal")):
+            with h5py.File(self.folder / "run.h5", "w") as file:
+                file.attrs["format"], file.attrs["schema_version"] = "voussoir results", version
+            with self.assertRaisesRegex(voussoir.FileError, words):
+                _ = voussoir.Run(self.folder).finished
+
+    def test_rows_in_missing_parts_are_an_error(self):
+        with h5py.File(self.folder / "run.h5", "w") as file:
+            file.attrs["format"], file.attrs["schema_version"] = "voussoir results", 5
+            layout = h5py.VirtualLayout((2,), "f8")
+            layout[:] = h5py.VirtualSource("parts/0000.h5", "/energy/kinetic", (2,))
+            file.create_virtual_dataset("/energy/kinetic", layout, fillvalue=np.nan)
+        with self.assertWarns(voussoir.ProgramWarning), self.assertRaisesRegex(voussoir.FileError, "parts/0000.h5: is missing"):
+            _ = voussoir.Run(self.folder).energy.kinetic
 
     def test_rotations(self):
         axis, angle = np.array([2.0, -3.0, 6.0]) / 7.0, 0.7

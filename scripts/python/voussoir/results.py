@@ -5,9 +5,12 @@
 Names, shapes and meanings are those of io/RESULTS.md.
 """
 
+import contextlib
 import os
 import pathlib
+import re
 import tomllib
+import warnings
 from collections.abc import Iterator, Mapping
 from typing import Any
 
@@ -15,7 +18,8 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
-from .errors import FileError, VoussoirError
+from .errors import FileError, ProgramWarning, VoussoirError
+from .sealed import check_seal
 
 
 class Array(np.ndarray[Any, Any]):
@@ -43,21 +47,94 @@ def open_results(path: str | os.PathLike[str]) -> h5py.File:
     """Opens the run.h5 of a run, given as its folder or as the file. Raises FileError."""
     path = pathlib.Path(path)
     path = path / "run.h5" if path.is_dir() else path
-    if not path.is_file():
+    if not path.exists():
         raise FileError(f"{path}: no such file; wanted the folder of a run, or its run.h5")
-    try:
-        file = h5py.File(path, "r")
-    except OSError as error:
-        raise FileError(f"{path}: {error}") from error
-    if file.attrs.get("format") != "voussoir results":
-        file.close()
+    file, sealed = _open(path)
+    with _reading(str(path)):
+        known, version = file.attrs.get("format"), int(file.attrs.get("schema_version", 0))
+    if known != "voussoir results":
         raise FileError(f"{path}: holds no results of Voussoir")
+    if version > SCHEMA:
+        raise FileError(f"{path}: has schema_version {version}; this package reads up to {SCHEMA}: a later program wrote it")
+    if version >= SEALED_SCHEMA and not sealed:
+        raise FileError(f"{path}: is damaged: it has lost its seal")
+    if not sealed:
+        warnings.warn(f"{path}: not sealed (schema {version}): damage to it may stay unnoticed", ProgramWarning, stacklevel=3)
     return file
+
+
+SCHEMA, SEALED_SCHEMA = 6, 6  # the newest layout of run.h5 that is known; the first whose files are sealed
+_PART = re.compile(r"parts/\d+\.h5")
+
+
+class NoData(FileError, KeyError, AttributeError):
+    """A group, column or attribute that results do not have."""
+
+    __str__ = Exception.__str__
+
+
+@contextlib.contextmanager
+def _reading(what: str) -> Iterator[None]:
+    """Makes every error of h5py a FileError."""
+    try:
+        yield
+    except VoussoirError:
+        raise
+    except KeyError as error:
+        raise NoData(f"{what}: {error.args[0] if error.args else error}") from error
+    except (OSError, RuntimeError, ValueError, TypeError, MemoryError, UnicodeError, OverflowError) as error:
+        raise FileError(f"{what}: cannot be read: {error}") from error
+
+
+def _open(path: pathlib.Path) -> tuple[h5py.File, bool]:
+    """An HDF5 file of which every byte is what was written, and whether that is known."""
+    sealed = check_seal(path)
+    with _reading(str(path)):
+        return h5py.File(path, "r"), sealed
+
+
+def _path_of(dataset: Any) -> pathlib.Path:
+    return pathlib.Path(dataset.file.filename)
+
+
+def rows_of(dataset: h5py.Dataset, rows: Any = ()) -> NDArray[Any]:
+    """Values of a dataset, or some of its rows. Rows in parts are read from there; HDF5 itself would give NaN for those it cannot read."""
+    with _reading(f"{_path_of(dataset)}, {dataset.name}"):
+        if not dataset.is_virtual:
+            if dataset.external:
+                raise FileError(f"{_path_of(dataset)}: {dataset.name} has its values in another file; not followed")
+            if dataset.nbytes > dataset.id.get_storage_size():
+                raise FileError(f"{_path_of(dataset)}: {dataset.name} claims {dataset.nbytes} bytes; the file has fewer")
+            plain: NDArray[Any] = dataset[rows]
+            return plain
+        pieces = [_piece(dataset, source) for source in dataset.virtual_sources()]
+        whole: NDArray[Any] = np.concatenate(pieces) if pieces else np.empty(dataset.shape, dataset.dtype)
+        if whole.shape != dataset.shape:
+            raise FileError(f"{_path_of(dataset)}: {dataset.name} has rows that are in no file")
+        taken: NDArray[Any] = whole[rows]
+        return taken
+
+
+def _piece(dataset: h5py.Dataset, source: Any) -> NDArray[Any]:
+    if not _PART.fullmatch(source.file_name) or source.dset_name != dataset.name:
+        raise FileError(f"{_path_of(dataset)}: {dataset.name} refers to {source.file_name}; only parts/NNNN.h5 in the same folder are read")
+    path = _path_of(dataset).parent / source.file_name
+    if not path.exists():
+        raise FileError(f"{path}: is missing. Rows of a run that has not ended are in parts/ beside run.h5, and a copy needs them; "
+                        "if the run has gone on or ended since, refresh() reads it again")
+    file, sealed = _open(path)
+    try:
+        if not sealed and int(dataset.file.attrs["schema_version"]) >= SEALED_SCHEMA:
+            raise FileError(f"{path}: is damaged: it has lost its seal")
+        first, last = source.vspace.get_select_bounds()
+        return rows_of(file[source.dset_name])[:last[0] - first[0] + 1]
+    finally:
+        file.close()
 
 
 def array_of(dataset: h5py.Dataset, rows: Any = ()) -> Array:
     """A dataset, or some of its rows. Texts become str."""
-    values = dataset[rows]
+    values = rows_of(dataset, rows)
     if h5py.check_string_dtype(dataset.dtype):
         values = np.array([v.decode() if isinstance(v, bytes) else v for v in np.atleast_1d(values)], dtype=object)
     attributes = dataset.attrs
@@ -66,16 +143,16 @@ def array_of(dataset: h5py.Dataset, rows: Any = ()) -> Array:
 
 def origin_of(file: h5py.File) -> NDArray[Any]:
     """What the coordinates in run.h5 are relative to, m, in the axes of the case file; zero in runs that do not say."""
-    found: NDArray[Any] = file["model/origin"][:] if "model/origin" in file else np.zeros(3)
+    found: NDArray[Any] = rows_of(file["model/origin"]) if "model/origin" in file else np.zeros(3)
     return found
 
 
 def displacement_of(file: h5py.File, rows: Any = slice(None)) -> NDArray[Any]:
     """Of the centroids from position0 in frames of run.h5, m: one row, or a slice of them. Files of layouts before 5 held positions."""
     if "frames/displacement" in file:
-        moved: NDArray[Any] = file["frames/displacement"][rows].astype(float)
+        moved: NDArray[Any] = rows_of(file["frames/displacement"], rows).astype(float)
         return moved
-    moved = file["frames/position"][rows] - file["model/element/position0"][:]
+    moved = rows_of(file["frames/position"], rows) - rows_of(file["model/element/position0"])
     return moved
 
 
@@ -98,9 +175,10 @@ class Table(Mapping[str, Array]):
         self._group = group
 
     def _dataset(self, name: str) -> h5py.Dataset:
-        found = self._group.get(name)
+        with _reading(f"{_path_of(self._group)}, {self._group.name}"):
+            found = self._group.get(name)
         if not isinstance(found, h5py.Dataset):
-            raise KeyError(f"{self._group.name} has no '{name}'; there are: {', '.join(self) or 'none'}")
+            raise NoData(f"{self._group.name} has no '{name}'; there are: {', '.join(self) or 'none'}")
         return found
 
     def __getitem__(self, name: str) -> Array:
@@ -111,13 +189,11 @@ class Table(Mapping[str, Array]):
     def __getattr__(self, name: str) -> Array:
         if name.startswith("_"):
             raise AttributeError(name)
-        try:
-            return self[name]
-        except KeyError as error:
-            raise AttributeError(error.args[0]) from None
+        return self[name]
 
     def __iter__(self) -> Iterator[str]:
-        return (name for name, data in self._group.items() if isinstance(data, h5py.Dataset))
+        with _reading(f"{_path_of(self._group)}, {self._group.name}"):
+            return iter([name for name, data in self._group.items() if isinstance(data, h5py.Dataset)])
 
     def __len__(self) -> int:
         return sum(1 for _ in self)
@@ -156,11 +232,11 @@ class Frame:
     n x 4 (w, x, y, z); `broken` n: share of bonds, 0 to 1."""
 
     def __init__(self, results: "Results", row: int) -> None:
-        self._results, self._group, self.row = results, results.file["frames"], row
+        self._results, self._group, self.row = results, results._at("frames"), row
 
     @property
     def time(self) -> float:
-        return float(self._group["time"][self.row])
+        return float(rows_of(self._group["time"], self.row))
 
     @property
     def displacement(self) -> Array:
@@ -181,8 +257,8 @@ class Frame:
     def vertices(self) -> NDArray[Any]:
         """Current positions of the vertices of all elements: v x 3, m, in the rows of /model/vertex and the axes of the case file."""
         model = self._results.file["model"]
-        first = model["element/first_vertex"][:]
-        corners, start = model["vertex"][:], model["element/position0"][:]
+        first = rows_of(model["element/first_vertex"])
+        corners, start = rows_of(model["vertex"]), rows_of(model["element/position0"])
         owner = np.searchsorted(first, np.arange(len(corners)), side="right") - 1
         position, rotation = start + np.asarray(self.displacement), rotation_matrices(self.quaternion)
         placed: NDArray[Any] = position[owner] + np.einsum("vij,vj->vi", rotation[owner], corners - start[owner])
@@ -206,10 +282,10 @@ class Frames:
 
     @property
     def time(self) -> Array:
-        return array_of(self._results.file["frames/time"])
+        return array_of(self._results._at("frames/time"))
 
     def __len__(self) -> int:
-        return int(self._results.file["frames/time"].shape[0])
+        return int(self._results._at("frames/time").shape[0])
 
     def __getitem__(self, row: int) -> Frame:
         count = len(self)
@@ -258,18 +334,23 @@ class Results:
         self._file = None
 
     def _table(self, name: str) -> Table:
-        return Table(self.file[name])
+        return Table(self._at(name))
+
+    def _at(self, name: str) -> Any:
+        """A group or dataset of the file. Raises FileError."""
+        with _reading(f"{self._path}, {name}"):
+            return self.file[name]
 
     @property
     def histories(self) -> list[str]:
         """Names of the followed elements."""
-        return [name for name in self.file["history"] if name != "time"]
+        return [name for name in self._at("history") if name != "time"]
 
     def history(self, name: str) -> History:
         """Motion of a followed element, by its name in [[output.history]]."""
         if name not in self.histories:
             raise VoussoirError(f"{self.folder}: no history '{name}'; there are: {', '.join(self.histories) or 'none'}")
-        return History(self.file["history"][name], self.file["history/time"])
+        return History(self._at("history")[name], self._at("history/time"))
 
     @property
     def energy(self) -> Table:
@@ -304,7 +385,7 @@ class Results:
     @property
     def capacity(self) -> dict[str, Any]:
         """Results of a quasi-static analysis (io/MEASURES.md, Capacity); empty until the run has ended or stopped."""
-        return _plain(self.file["capacity"].attrs) if "capacity" in self.file else {}
+        return _plain(self._at("capacity").attrs) if "capacity" in self.file else {}
 
     @property
     def elements(self) -> Table:
@@ -322,17 +403,18 @@ class Results:
     @property
     def case(self) -> dict[str, Any]:
         """The resolved case: all keys with their values."""
-        return tomllib.loads(self.file["case"].attrs["toml"])
+        with _reading(f"{self._path}, case"):
+            return tomllib.loads(self._at("case").attrs["toml"])
 
     @property
     def summary(self) -> dict[str, Any]:
         """The summary by name, as in io/RESULTS.md: collapsed, first_crack_time, peak_base_shear, damage_grade, ..."""
-        return _plain(self.file["summary"].attrs)
+        return _plain(self._at("summary").attrs)
 
     @property
     def walls(self) -> dict[str, dict[str, float]]:
         """Measures of each wall: fallen_mass_fraction, peak_drift, ..."""
-        group = self.file["summary"].get("wall")
+        group = self._at("summary").get("wall")
         if group is None:
             return {}
         table = Table(group)
@@ -342,16 +424,18 @@ class Results:
 
     @property
     def provenance(self) -> dict[str, Any]:
-        return _plain(self.file["provenance"].attrs)
+        return _plain(self._at("provenance").attrs)
 
     @property
     def finished(self) -> bool:
         """Whether the run has reached its end."""
-        return bool(self.summary["finished"])
+        with _reading(f"{self._path}, summary"):
+            return bool(self.summary["finished"])
 
 
 def _plain(attributes: Any) -> dict[str, Any]:
     """Attributes as Python's own types, without the attribute of units."""
     def value(v: Any) -> Any:
         return v.decode() if isinstance(v, bytes) else v.item() if isinstance(v, np.generic) else v
-    return {name: value(v) for name, v in attributes.items() if name != "units"}
+    with _reading("attributes of results"):
+        return {name: value(v) for name, v in attributes.items() if name != "units"}
