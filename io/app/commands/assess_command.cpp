@@ -21,8 +21,8 @@
 #include "io/input/files/output_path.h"
 #include "io/output/assess/assess_words.h"
 #include "io/output/assess/crack_map.h"
+#include "io/output/replay/run_file.h"
 #include "io/output/results/case_of_run.h"
-#include "io/output/results/run_file.h"
 
 namespace voussoir::io {
 namespace {

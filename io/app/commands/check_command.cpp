@@ -34,7 +34,7 @@
 #include "io/input/motion/motion_files.h"
 #include "io/output/drawing/drawing.h"
 #include "io/output/measures/capacity/capacity_file.h"
-#include "io/output/results/run_file.h"
+#include "io/output/replay/run_file.h"
 #include "solver/contact/head_on.h"
 #include "solver/run/simulation.h"
 #include "solver/setup/laws/optional_laws.h"
@@ -356,7 +356,11 @@ Command add_check(CLI::App& program) {
   add_format(*words, w->o.json);
   words->footer("example: voussoir check my-house.toml --draw my-house.svg");
   return {.words = words,
-          .work = [w] { return is_run(w->c.name) ? check_results(w->c.name) : with_case(w->c, [w](const auto& c) { return check(c, w->o, w->c.threads); }); },
+          .work =
+              [w] {
+                return is_run(w->c.name) ? check_results(w->c.name)
+                                         : with_case(w->c, [w](const auto& c) { return check(c, w->o, w->c.threads); });
+              },
           .threads = &w->c.threads};
 }
 

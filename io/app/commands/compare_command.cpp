@@ -14,8 +14,8 @@
 #include "io/input/files/errors.h"
 #include "io/input/files/hdf5_file.h"
 #include "io/output/measures/compared_measures.h"
+#include "io/output/replay/run_file.h"
 #include "io/output/results/comparison.h"
-#include "io/output/results/run_file.h"
 
 namespace voussoir::io {
 namespace {

@@ -17,9 +17,9 @@
 #include "io/input/files/errors.h"
 #include "io/input/files/output_path.h"
 #include "io/input/stones/stones.h"
+#include "io/output/replay/run_file.h"
 #include "io/output/report/pictures/stills.h"
 #include "io/output/results/case_of_run.h"
-#include "io/output/results/run_file.h"
 #include "solver/analysis/modes.h"
 #include "solver/setup/setup.h"
 

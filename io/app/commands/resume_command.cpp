@@ -22,10 +22,10 @@
 #include "io/app/session/views.h"
 #include "io/input/case_file/case_file.h"
 #include "io/input/files/run_folder.h"
+#include "io/output/replay/run_file.h"
 #include "io/output/results/base_motion.h"
 #include "io/output/results/case_of_run.h"
 #include "io/output/results/checkpoints.h"
-#include "io/output/results/run_file.h"
 
 namespace voussoir::io {
 

@@ -21,8 +21,8 @@
 #include "io/output/measures/capacity/capacity_file.h"
 #include "io/output/measures/measures_file.h"
 #include "io/output/measures/place_in_run.h"
+#include "io/output/replay/run_file.h"
 #include "io/output/results/case_of_run.h"
-#include "io/output/results/run_file.h"
 
 namespace voussoir::io {
 namespace {

@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "io/input/files/errors.h"
-#include "io/input/files/hdf5_driver.h"
-#include "io/input/files/hdf5_handle.h"
-#include "io/input/files/hdf5_pieces.h"
+#include "io/input/files/hdf5/driver.h"
+#include "io/input/files/hdf5/handle.h"
+#include "io/input/files/hdf5/pieces.h"
 
 namespace voussoir::io {
 namespace {

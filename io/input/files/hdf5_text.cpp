@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "io/input/files/errors.h"
+#include "io/input/files/hdf5/handle.h"
 #include "io/input/files/hdf5_file.h"
-#include "io/input/files/hdf5_handle.h"
 
 /// Texts and attributes of Hdf5File.
 namespace voussoir::io {

@@ -128,8 +128,8 @@ void PagedFile::check_pages(std::uint64_t first, std::uint64_t count, const char
   for (std::uint64_t p = first; p < first + count; ++p) {
     const std::uint64_t at = kSealBytes + p * kPage, n = std::min(kPage, end_ - at);
     if (digest(bytes + (p - first) * kPage, n) != digests_[p])
-      throw DamagedFile(path_, "is damaged: bytes " + std::to_string(at) + " to " + std::to_string(at + n - 1) +
-                                   " are not those that were written");
+      throw DamagedFile(
+          path_, "is damaged: bytes " + std::to_string(at) + " to " + std::to_string(at + n - 1) + " are not those that were written");
     checked_[p] = true;
   }
 }

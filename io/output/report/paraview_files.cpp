@@ -16,8 +16,8 @@
 #include "io/input/files/whole_file.h"
 #include "io/output/replay/cells.h"
 #include "io/output/replay/frame_reader.h"
+#include "io/output/replay/run_file.h"
 #include "io/output/results/results_parts.h"
-#include "io/output/results/run_file.h"
 
 namespace voussoir::io {
 namespace {

@@ -16,13 +16,13 @@
 #include "io/output/replay/frame_reader.h"
 #include "io/output/replay/joint_cracks.h"
 #include "io/output/replay/opened_faces.h"
+#include "io/output/replay/run_file.h"
 #include "io/output/report/report_bodies.h"
 #include "io/output/report/report_facts.h"
 #include "io/output/report/report_frames.h"
 #include "io/output/report/report_model.h"
 #include "io/output/report/report_modes.h"
 #include "io/output/report/report_page.h"
-#include "io/output/results/run_file.h"
 
 namespace voussoir::io {
 namespace {

@@ -16,14 +16,14 @@
 #include "io/input/case_file/case_file.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/hdf5_file.h"
-#include "io/output/results/run_file.h"
+#include "io/output/replay/run_file.h"
 
 namespace voussoir::io {
 
 namespace {
 
 constexpr std::uint64_t kComparedBytes = 4U << 20;  // of a dataset in memory at a time
-constexpr double kSameTime = 1e-9;  // s: below any step; times of runs with different steps differ by round-off
+constexpr double kSameTime = 1e-9;                  // s: below any step; times of runs with different steps differ by round-off
 
 /// The paths of all datasets, except provenance.
 std::set<std::string> datasets_of(const Hdf5File& file) {

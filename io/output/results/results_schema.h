@@ -11,14 +11,10 @@
 #include <vector>
 
 #include "io/input/files/hdf5_file.h"
+#include "io/output/replay/run_file.h"
 
 /// The rows written by a run: one table for each group of run.h5, used by writer, index, merge and resume.
 namespace voussoir::io {
-
-/// Version of the layout of run.h5, its attribute `schema_version`.
-inline constexpr std::int64_t kResultsSchema = 6;
-/// The first version whose files are sealed (io/input/files/sealed_pages.h).
-inline constexpr std::int64_t kSealedSchema = 6;
 
 /// The table NAME has the group /NAME: see table_name.
 enum class RowTable : std::uint8_t { history, energy, forces, damage, cracks, frames, cuts, assessment };

@@ -15,9 +15,9 @@
 #include "io/input/files/packed_text.h"
 #include "io/input/files/scratch_folder.h"
 #include "io/input/files/whole_file.h"
+#include "io/output/replay/run_file.h"
 #include "io/output/report/pictures/browser.h"
 #include "io/output/report/report_data.h"
-#include "io/output/results/run_file.h"
 
 namespace voussoir::io {
 namespace fs = std::filesystem;

@@ -194,16 +194,17 @@ TEST_CASE("a folder of results can be moved") {
   fs::rename(dir.file("b"), dir.file("a"));
 }
 
-TEST_CASE("a part that is lost reads as not-a-number, not as zero") {
+TEST_CASE("a part that is lost is an error, not rows of fill values") {
   const TempFolder dir;
   ResultsWriter w = writer(dir.path());
   record(w, 0);
   w.flush();
   fs::remove(dir.file("parts/0000.h5"));
   const Hdf5File file = Hdf5File::open(dir.file("run.h5"));
-  CHECK(std::isnan(file.read<double>("/history/top/displacement").at(0)));
-  CHECK(std::isnan(file.read<float>("/frames/displacement").at(0)));
-  CHECK(file.read<std::int64_t>("/damage/bonded").at(0) == -1);
+  CHECK_THROWS_WITH_AS(static_cast<void>(file.read<double>("/history/top/displacement")), doctest::Contains("0000.h5: is missing"),
+                       FileError);
+  CHECK_THROWS_AS(static_cast<void>(file.read<float>("/frames/displacement")), FileError);
+  CHECK_THROWS_AS(static_cast<void>(file.read<std::int64_t>("/damage/bonded")), FileError);
 }
 
 TEST_CASE("rows keep their order in time and are not doubled") {

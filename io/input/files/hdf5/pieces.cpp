@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/input/files/hdf5_pieces.h"
+#include "io/input/files/hdf5/pieces.h"
 
 #include <hdf5.h>
 
@@ -89,8 +89,9 @@ const Hdf5File& Hdf5File::source(const std::string& file) const {
   const std::filesystem::path at = std::filesystem::path(path_).parent_path() / file;
   std::error_code error;
   if (!std::filesystem::exists(at, error))
-    throw FileError(at.string(), "is missing. Rows of a run that has not ended are in parts/ beside run.h5, and a copy needs them; if the run "
-                                 "has ended since, read run.h5 again");
+    throw FileError(at.string(),
+                    "is missing. Rows of a run that has not ended are in parts/ beside run.h5, and a copy needs them; if the run "
+                    "has ended since, read run.h5 again");
   auto opened = std::make_shared<const Hdf5File>(open(at.string()));
   if (sealed_ && !opened->sealed()) throw FileError(at.string(), "is not sealed, but " + path_ + " is");
   known = std::move(opened);

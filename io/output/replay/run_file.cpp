@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/output/results/run_file.h"
+#include "io/output/replay/run_file.h"
 
 #include <cstdio>
 #include <filesystem>
 
 #include "io/input/files/errors.h"
 #include "io/input/files/sealed_pages.h"
-#include "io/output/results/results_schema.h"
 
 namespace voussoir::io {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/input/files/hdf5_handle.h"
+#include "io/input/files/hdf5/handle.h"
 
 #include <hdf5.h>
 #include <sys/mman.h>
@@ -8,7 +8,7 @@
 #include <new>
 
 #include "io/input/files/errors.h"
-#include "io/input/files/hdf5_driver.h"
+#include "io/input/files/hdf5/driver.h"
 
 namespace voussoir::io::hdf5 {
 namespace {

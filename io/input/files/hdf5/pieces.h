@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/input/files/hdf5_handle.h"
+#include "io/input/files/hdf5/handle.h"
 
 /// Rows that a virtual dataset takes from other files. For the sources of Hdf5File alone, which reads them itself: HDF5 would give fill
 /// values in place of rows that it cannot read.

@@ -2,11 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "io/input/files/hdf5_file.h"
 
 namespace voussoir::io {
+
+/// Version of the layout of run.h5, its attribute `schema_version`.
+inline constexpr std::int64_t kResultsSchema = 6;
+/// The first version whose files are sealed (io/input/files/sealed_pages.h).
+inline constexpr std::int64_t kSealedSchema = 6;
 
 /// Opens the results of a run, given as its folder or its run.h5. A file of an earlier version, which is not sealed, is noted on standard
 /// error.

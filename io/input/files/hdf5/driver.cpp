@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/input/files/hdf5_driver.h"
+#include "io/input/files/hdf5/driver.h"
 
 #include <hdf5.h>
 

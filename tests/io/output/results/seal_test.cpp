@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+#include <sys/stat.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "io/input/files/errors.h"
+#include "io/input/files/sealed_pages.h"
+#include "io/output/replay/run_file.h"
+#include "tests/io/results_fixture.h"
+
+/// Results that cannot lie: damage to what is read is an error.
+namespace voussoir::io {
+namespace {
+
+using test::TempFolder;
+
+std::string contents_of(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+void write(const std::string& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
+
+const std::vector<double> kValues{1.0, 2.0, 3.0};
+
+/// A file with a dataset of two pages and a bit, and a text.
+std::string sealed(const TempFolder& dir, std::int64_t schema = 6, bool seal = true) {
+  const std::string path = dir.file("run.h5");
+  Hdf5File file = Hdf5File::create(path, seal ? kSealBytes : 0);
+  file.set_attribute("/", "schema_version", schema);
+  file.write_dataset("/values", Hdf5Type::f64, {3}, kValues.data(), {}, {"m", "three numbers"});
+  file.write_dataset("/many", Hdf5Type::f64, {1200}, std::vector<double>(1200, 0.5).data());
+  file.write_strings("/texts", std::vector<std::string>{"one", "two"});
+  file.close();
+  if (seal) seal_pages(path);
+  return path;
+}
+
+void read_all(const std::string& path) {
+  const Hdf5File run = open_run(path);
+  for (const char* name : {"/values", "/many"}) static_cast<void>(run.read<double>(name));
+  static_cast<void>(run.read_strings("/texts"));
+  static_cast<void>(run.attribute_text("/values", "description"));
+}
+
+}  // namespace
+
+TEST_CASE("no damaged byte changes what is read from a sealed file") {
+  const TempFolder dir;
+  const std::string path = sealed(dir), right = contents_of(path);
+  CHECK(open_run(path).read<double>("/values") == kValues);
+  CHECK(check_run(path) == 1);
+  std::size_t refused = 0;
+  for (std::size_t at = 0; at < right.size(); at += at < 2048 ? 1 : 61) {
+    std::string wrong = right;
+    wrong[at] = static_cast<char>(wrong[at] ^ 0x10);
+    write(path, wrong);
+    CHECK_THROWS_AS(static_cast<void>(check_run(path)), FileError);
+    try {
+      const Hdf5File run = open_run(path);
+      CHECK(run.exists("/values"));
+      CHECK(run.has_attribute("/values", "unit"));
+      CHECK(run.read<double>("/values") == kValues);
+      CHECK(run.read_strings("/texts") == std::vector<std::string>{"one", "two"});
+    } catch (const DamagedFile&) {
+      ++refused;
+    }
+  }
+  CHECK(refused > 1000);
+}
+
+TEST_CASE("a fault names file and dataset; what is not read is not checked") {
+  const TempFolder dir;
+  const std::string path = sealed(dir);
+  std::string bytes = contents_of(path);
+  const double half = 0.5;
+  const std::size_t last = bytes.rfind(std::string(reinterpret_cast<const char*>(&half), sizeof half));
+  REQUIRE(last != std::string::npos);
+  bytes[last] = 1;
+  write(path, bytes);
+  CHECK_THROWS_WITH_AS(read_all(path), doctest::Contains("run.h5: cannot read /many: is damaged: bytes"), DamagedFile);
+  CHECK_THROWS_WITH_AS(static_cast<void>(check_run(path)), doctest::Contains("is damaged"), DamagedFile);
+}
+
+TEST_CASE("truncated, longer, without its seal, of a later schema") {
+  const TempFolder dir;
+  const std::string path = sealed(dir), right = contents_of(path);
+  for (const std::string& wrong : {right.substr(0, right.size() - 1), right + "x", right.substr(0, 100), std::string()}) {
+    write(path, wrong);
+    CHECK_THROWS_AS(read_all(path), DamagedFile);
+  }
+  sealed(dir, 6, false);
+  CHECK_THROWS_WITH_AS(read_all(path), doctest::Contains("lost its seal"), FileError);
+  sealed(dir, 7);
+  CHECK_THROWS_WITH_AS(read_all(path), doctest::Contains("a later program wrote it"), FileError);
+  sealed(dir, 5, false);
+  CHECK_NOTHROW(read_all(path));
+}
+
+TEST_CASE("a pipe in place of run.h5 is refused at once") {
+  const TempFolder dir;
+  REQUIRE(::mkfifo(dir.file("run.h5").c_str(), 0600) == 0);
+  CHECK_THROWS_WITH_AS(static_cast<void>(open_run(dir.path())), doctest::Contains("is no regular file"), FileError);
+}
+
+TEST_CASE("rows are taken from parts of the same folder alone") {
+  for (const std::string other : {"/etc/passwd", "../parts/0000.h5", "parts/../0000.h5", "run.h5", "."}) {
+    const TempFolder dir;
+    const std::string path = dir.file("run.h5");
+    Hdf5File file = Hdf5File::create(path);
+    file.set_attribute("/", "schema_version", std::int64_t{5});
+    file.create_virtual("/rows", Hdf5Type::f64, {}, std::vector<VirtualSource>{{other, "/rows", 2, 2}});
+    file.close();
+    CHECK_THROWS_WITH_AS(static_cast<void>(open_run(path).read<double>("/rows")), doctest::Contains("only parts/NNNN.h5"), FileError);
+  }
+}
+
+TEST_CASE("check reads the parts of a run that goes on") {
+  const TempFolder dir;
+  ResultsWriter w(dir.path(), test::two_cubes(), test::kCase, test::kNames, {});
+  for (std::uint64_t i = 0; i < 3; ++i) test::record(w, i);
+  w.flush();
+  CHECK(check_run(dir.path()) == 2);
+  std::string part = contents_of(dir.file("parts/0000.h5"));
+  part[part.size() / 2] = static_cast<char>(part[part.size() / 2] ^ 1);
+  write(dir.file("parts/0000.h5"), part);
+  CHECK_THROWS_WITH_AS(static_cast<void>(check_run(dir.path())), doctest::Contains("0000.h5"), DamagedFile);
+}
+
+}  // namespace voussoir::io
