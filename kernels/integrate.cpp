@@ -228,6 +228,7 @@ VOUSSOIR_INLINE void kick_group(const ElementsView& e, const ElementRows& rows, 
   load_columns(row, 0, force.x, force.y, force.z, torque.x);
   load_columns(row, 4, torque.y, torque.z, unused, dashed);
   const Lanes m = load_lanes(e.mass + i), im = load_lanes(e.inv_mass + i), alpha = load_lanes(e.alpha + i);
+  const Lanes inert = load_lanes(e.inert_mass + i);
   const LaneMask fixed = im == 0.0;
   const Lanes a = 0.5 * alpha * f.dt;
   const VecLanes before = load3(e.vx, e.vy, e.vz, i);
@@ -246,7 +247,7 @@ VOUSSOIR_INLINE void kick_group(const ElementsView& e, const ElementRows& rows, 
   store3(e.lx, e.ly, e.lz, i, turned_on);
   tally.gravity = tally.gravity + m * dot(f.mean_gravity, before);
   tally.ground = tally.ground - m * dot(f.mean_ground, before);
-  tally.damping = tally.damping + alpha * (m * dot(mean, mean + f.damped_ground) + lost);
+  tally.damping = tally.damping + alpha * (inert * dot(mean, mean + f.damped_ground) + lost);
   if (bits(dashed != 0.0) != 0) {
     VecLanes dash;
     load_columns([&](int r) { return rows.dashpot + (i + r) * kDashpotStride; }, 0, dash.x, dash.y, dash.z, unused);

@@ -16,9 +16,13 @@ enum class AnalysisKind : std::uint8_t { time_history, pushover, tilt, settlemen
 /// Distribution of the forces of a pushover: by mass, by mass times the first mode, or the given loads marked as growing.
 enum class LoadPattern : std::uint8_t { mass, mode, given };
 
+/// How a quasi-static analysis goes: by slow motion, or from one state of rest to the next (kernels/THEORY.md, section 13).
+enum class Solver : std::uint8_t { dynamics, equilibrium };
+
 /// Table [analysis]. A time history uses `kind` only.
 struct Analysis {
   AnalysisKind kind = AnalysisKind::time_history;
+  Solver solver = Solver::dynamics;
   LoadPattern pattern = LoadPattern::mass;
   std::array<double, 2> direction{1.0, 0.0};  // horizontal, x and y; any length
   std::optional<Vec3> control;                // m; the nearest element is the control point of the capacity curve; none: one on top
@@ -32,9 +36,15 @@ struct Analysis {
   std::vector<double> amplitudes;             // m, of the cycles, one after another (cyclic)
   int cycles = 1;                             // at each amplitude
   bool level = false;                         // cyclic: the pushed blocks do not rotate
+  // Of the solver `equilibrium` alone.
+  double tolerance = 1e-4;  // largest unbalanced force over the mean weight of an element, at which a state counts as one of rest
+  double path_step = 0.02;  // of the largest load factor so far: how far it goes at most from one state to the next
 };
 
 /// Whether the run is a quasi-static analysis.
 inline bool is_assessment(const Analysis& a) noexcept { return a.kind != AnalysisKind::time_history; }
+
+/// Whether each row of the run is a state of rest.
+inline bool finds_rest(const Analysis& a) noexcept { return is_assessment(a) && a.solver == Solver::equilibrium; }
 
 }  // namespace voussoir::cases

@@ -12,7 +12,9 @@
 
 #include "cases/case.h"
 #include "cases/model.h"
+#include "geometry/nth.h"
 #include "solver/analysis/modes.h"
+#include "solver/equilibrium/masses.h"
 
 namespace voussoir::solver {
 
@@ -28,6 +30,8 @@ constexpr double kDampingRatio = 0.1;               // of critical, at the first
 constexpr double kPeriods = 20.0;                   // first periods in a pace
 constexpr double kShortestPace = 2.0;               // s
 constexpr double kFirstFactor = 0.05;               // load factor that the first pace brings, times e − 1, while nothing has cracked
+constexpr double kRestFactor = 0.02;                // load factor of the first point, where each is a state of rest
+constexpr double kRestMovement = 2e-4;              // of the height: how far supports go to the first such point
 constexpr double kShare = 0.5, kCyclicShare = 5.0;  // of the first stiffness: see Analysis::share
 constexpr double kStepMargin = 2e-3;                // of the square of the highest frequency that the step bears: what the spring may add
 constexpr double kSupportShare = 0.0025;            // of the height, in a pace: how fast supports move
@@ -85,14 +89,19 @@ double turning_square(const Elements& e, std::size_t i, Vec3 t) {
                  e.ixz[i] * t.x + e.iyz[i] * t.y + e.izz[i] * t.z});
 }
 
-/// Σ p²/m + T·J⁻¹·T of the loads that grow, N²/kg; those on one element act together.
-double square_of_loads(const World& w) {
-  std::map<std::int32_t, std::pair<Vec3, Vec3>> on;  // by element: force, torque
+/// The loads that grow by their elements: force, torque. Those on one element act together.
+std::map<std::int32_t, std::pair<Vec3, Vec3>> growing_by_element(const World& w) {
+  std::map<std::int32_t, std::pair<Vec3, Vec3>> on;
   for (const PointLoad& l : w.loads) {
     if (l.grows) on[l.element].first += l.force, on[l.element].second += torque_of(l);
   }
+  return on;
+}
+
+/// Σ p²/m + T·J⁻¹·T of the loads that grow, N²/kg.
+double square_of_loads(const World& w) {
   double sum = 0.0;
-  for (const auto& [element, push] : on) {
+  for (const auto& [element, push] : growing_by_element(w)) {
     const auto i = static_cast<std::size_t>(element);
     sum += dot(push.first, push.first) * w.elements.inv_mass[i] + turning_square(w.elements, i, push.second);
   }
@@ -116,6 +125,22 @@ double turning_mass(const Elements& e, std::size_t i, Vec3 rate) {
   inverse << e.ixx[i], e.ixy[i], e.ixz[i], e.ixy[i], e.iyy[i], e.iyz[i], e.ixz[i], e.iyz[i], e.izz[i];
   const Eigen::Vector3d r(rate.x, rate.y, rate.z);
   return r.dot(inverse.ldlt().solve(r));
+}
+
+/// Σ p²/m + T·J⁻¹·T of all forces at a load factor of 1 with the masses of a relaxation, N²/kg.
+double relaxed_square(const cases::Case& c, const World& w, const std::vector<Vec3>& shape, double g) {
+  const Inert& inert = w.elements.inert;
+  double sum = 0.0;
+  if (pushes_by_loads(c)) {
+    for (const auto& [element, push] : growing_by_element(w))
+      sum += dot(push.first, push.first) * nth(inert.inv_mass, element) + dot(push.second, push.second) * nth(inert.inv_inertia, element);
+    return sum;
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(w.elements.count); ++i) {
+    const double p = g * w.elements.mass[i] * (shape.empty() ? 1.0 : norm(shape[i]));
+    sum += p * p * inert.inv_mass[i];
+  }
+  return sum;
 }
 
 double modal_mass(const World& w, const Mode& m) {
@@ -216,6 +241,7 @@ void choose_drive(Simulation& sim, const cases::Case& c) {
   if (settles) {
     const double speed = kSupportShare * all.height / d.pace;
     d.speed = support_speed(w, speed);
+    if (cases::finds_rest(a)) d.first = kRestMovement * all.height * support_speed(w, 1.0);  // s of the histories
     d.quiet = 0.5 * all.mass * std::pow(kQuiet * speed, 2);
     sim.program().set(d, {});
     return;
@@ -234,9 +260,12 @@ void choose_drive(Simulation& sim, const cases::Case& c) {
     }
   }
   if (!(d.compliance > 0.0)) d.compliance = g / square_of(d.frequency);
-  d.stiffness = a.share.value_or(a.kind == AnalysisKind::cyclic ? kCyclicShare : kShare) / d.compliance;
-  if (square > 0.0) d.stiffness = std::min(d.stiffness, kStepMargin * 4.0 / (w.dt * w.dt) * d.weight / square);
-  d.first = kFirstFactor * (d.compliance + 1.0 / d.stiffness);
+  const bool at_rest = cases::finds_rest(a);
+  d.stiffness = a.share.value_or(at_rest || a.kind == AnalysisKind::cyclic ? kCyclicShare : kShare) / d.compliance;
+  const double margin = at_rest ? kSpringShare : kStepMargin;
+  if (at_rest) square = relaxed_square(c, w, shape.displacement, g);
+  if (square > 0.0) d.stiffness = std::min(d.stiffness, margin * 4.0 / (w.dt * w.dt) * d.weight / square);
+  d.first = (at_rest ? kRestFactor : kFirstFactor) * (d.compliance + 1.0 / d.stiffness);
   sim.program().set(d, shape.displacement);
 }
 

@@ -32,9 +32,8 @@ double inverse_mass(const World& w, std::int32_t e, Vec3 arm, Vec3 n) {
   const auto i = static_cast<std::size_t>(e);
   const Elements& el = w.elements;
   const Mat3 r = Mat3{} + kernels::load_pose(el.pose.data(), e).d;
-  const Mat3 inverse{{el.ixx[i], el.ixy[i], el.ixz[i]}, {el.ixy[i], el.iyy[i], el.iyz[i]}, {el.ixz[i], el.iyz[i], el.izz[i]}};
   const Vec3 turn = transposed(r) * cross(arm, n);
-  return el.inv_mass[i] + dot(turn, inverse * turn);
+  return el.inert_inv_mass()[i] + dot(turn, el.inv_inertia(i) * turn);
 }
 
 /// As they stand in these poses.

@@ -90,7 +90,7 @@ double Ledger::kinetic(const World& w) const {
   double sum = 0.0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
     const Vec3 v = at(e.vx, e.vy, e.vz, i), spin = at(e.wx, e.wy, e.wz, i), l = at(e.lx, e.ly, e.lz, i);
-    sum += 0.5 * e.mass[i] * dot(at(v_, i), v) + 0.25 * (dot(at(l_, i), spin) + dot(l, at(w_, i)));
+    sum += 0.5 * e.inert_mass()[i] * dot(at(v_, i), v) + 0.25 * (dot(at(l_, i), spin) + dot(l, at(w_, i)));
   }
   return sum;
 }
@@ -102,7 +102,7 @@ void Ledger::sum_losses(const World& w, const kernels::BodyForces& f, EnergyRow&
   for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
     const Vec3 v = at(e.vx, e.vy, e.vz, i), spin = at(e.wx, e.wy, e.wz, i);
     const double step = w.step_of_element(i);
-    damping_early += 0.25 * step * e.alpha[i] * e.mass[i] * dot(v + at(v_, i) + 2.0 * f.damped_ground, v);
+    damping_early += 0.25 * step * e.alpha[i] * e.inert_mass()[i] * dot(v + at(v_, i) + 2.0 * f.damped_ground, v);
     if (f.damps_rotation)
       damping_early += 0.25 * step * e.alpha[i] * dot(at(l_, i), spin);  // kick has counted with the ω of half a step before
     dashpot_early -= 0.5 * step * (dot(at(dash_, 2 * i), v) + dot(at(dash_, 2 * i + 1), spin));

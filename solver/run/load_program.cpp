@@ -169,19 +169,36 @@ bool LoadProgram::is_over(const World& w) const {
 
 void LoadProgram::advance(const World& w, std::int64_t step) {
   if (!active() || drive_.pace <= 0.0 || step == 0) return;
+  const bool at_rest = cases::finds_rest(analysis_);
   state_.factor_before = state_.factor;
   if (analysis_.kind != AnalysisKind::settlement) {
     state_.speed = rate_of(w);
-    const double on = w.dt * end_rate(), moved = w.dt * state_.speed;
+    const double on = at_rest ? state_.sense * pull_ : w.dt * end_rate(), moved = w.dt * state_.speed;
     state_.target += on, state_.moved += moved;
     state_.factor += drive_.stiffness * (on - moved);
-    if (analysis_.kind == AnalysisKind::cyclic) turn_round();
+    if (analysis_.kind == AnalysisKind::cyclic && !at_rest) turn_round();
   }
-  if (step % kLook != 0) return;
+  if (step % kLook != 0 || at_rest) return;
   look(w);
   const bool over =
       analysis_.kind == AnalysisKind::settlement ? support_time(static_cast<double>(step) * w.dt) >= last_support_ : is_over(w);
   if (over && state_.ended == 0.0) state_.ended = static_cast<double>(step);
+}
+
+void LoadProgram::rest_at(const World& w, double base_shear, std::int64_t step) {
+  state_.shear = base_shear, state_.mean_factor = state_.factor;
+  state_.most_shear = std::max(state_.most_shear, state_.shear), state_.most_factor = std::max(state_.most_factor, state_.factor);
+  if (analysis_.kind == AnalysisKind::cyclic) turn_round();
+  if (analysis_.kind != AnalysisKind::settlement && is_over(w)) end_at(step);
+}
+
+double LoadProgram::way_left() const noexcept {
+  if (analysis_.kind != AnalysisKind::cyclic) return std::numeric_limits<double>::infinity();
+  const double least = 0.01 * analysis_.amplitudes.front();  // the spring gives way: the moving end goes a little farther
+  const auto cycle = static_cast<std::size_t>(state_.half_cycles) / 2, each = static_cast<std::size_t>(analysis_.cycles);
+  const bool over = cycle >= each * analysis_.amplitudes.size();
+  const double goal = over ? 0.0 : analysis_.amplitudes[cycle / each];
+  return std::max(least, goal - state_.sense * state_.moved);
 }
 
 double LoadProgram::add_forces(World& w) const {

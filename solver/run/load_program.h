@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -38,6 +39,20 @@ class LoadProgram {
 
   /// Begins loading at time zero. \throw std::logic_error without a drive
   void begin(const World& w);
+  /// Where each row is a state of rest: how far the moving end goes in the step ahead [m], instead of the drive's pace.
+  void pull(double on) noexcept { pull_ = on; }
+  /// Takes a state of rest as a point of the curve; the analysis may end there. \pre as for row()
+  void rest_at(const World& w, double base_shear, std::int64_t step);
+  /// Direction of the push, unit.
+  [[nodiscard]] Vec3 across() const noexcept { return across_; }
+  /// m, of the moving end, until a reversal of the cycles.
+  [[nodiscard]] double way_left() const noexcept;
+  /// m, of the moving end so far.
+  [[nodiscard]] double way() const noexcept { return std::abs(state_.target); }
+  /// s, end of the histories of supports.
+  [[nodiscard]] double last_support() const noexcept { return last_support_; }
+  /// Ends the analysis before this step.
+  void end_at(std::int64_t step) noexcept { state_.ended = state_.ended == 0.0 ? static_cast<double>(step) : state_.ended; }
   /// Advances the load at step n. To be called every step, when the rows have the internal forces of n and velocities are those of n − ½.
   void advance(const World& w, std::int64_t step);
 
@@ -88,6 +103,7 @@ class LoadProgram {
   bool moments_ = false;       // only moments grow: there is no push along a direction
   Drive drive_;
   std::vector<Vec3> shape_;
+  double pull_ = 0.0;  // m
   State state_;
 };
 

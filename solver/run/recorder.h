@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -58,7 +59,9 @@ struct AssessmentRow {
   double moved = 0;          // m, conjugate to the forces: their work is the integral of factor x weight over this displacement
   double base_shear = 0;     // N, on base and supports, mean over a first period
   double support_moved = 0;  // m, greatest displacement of a support
-  double over = 0;           // 1 once the analysis has reached its end
+  double over = 0;           // 1 once the analysis has reached its end; 2: here it has found no state of rest
+  // Largest unbalanced force over the mean weight of an element, or moment over that and the element's radius; NaN: it moves
+  double unbalanced = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Force and moment about the origin that the base exerts on the structure.

@@ -14,6 +14,7 @@
 #include "cases/ties.h"
 #include "geometry/nth.h"
 #include "solver/run/collapse.h"
+#include "solver/run/reporter.h"
 #include "solver/world/errors.h"
 
 namespace voussoir::solver {
@@ -30,74 +31,10 @@ std::int64_t in_cycles(double interval, double dt, std::int64_t cycle) { return 
 namespace {
 
 constexpr std::int64_t kTickInterval = 20;  // steps
+constexpr double kLost = 2.0;               // AssessmentRow::over where no further state of rest was found
 constexpr double kLookForRest = 0.01;       // s, between two looks at whether gravity has come to rest
 
 std::int64_t steps_between_rows(double interval, const Simulation& sim) { return in_cycles(interval, sim.dt(), sim.cycle()); }
-
-/// Keeps the buffers and the running figures of one run.
-class Reporter {
- public:
-  Reporter(Simulation& sim, RunState& state, Recorder& out) : sim_(sim), state_(state), out_(out) {}
-
-  void frame() {
-    const World& w = sim_.world();
-    const Elements& e = w.elements;
-    const auto n = static_cast<std::size_t>(e.count);
-    displacement_.resize(3 * n), quaternion_.resize(4 * n), broken_.resize(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      const auto put = [i](std::vector<float>& to, std::initializer_list<double> v) {
-        std::size_t k = v.size() * i;
-        for (const double x : v) to[k++] = static_cast<float>(x);
-      };
-      put(displacement_, {e.ux[i], e.uy[i], e.uz[i]});
-      put(quaternion_, {e.qw[i], e.qx[i], e.qy[i], e.qz[i]});
-      broken_[i] = e.bonds_at_start[i] > 0 ? 1.0F - static_cast<float>(e.bonds[i]) / static_cast<float>(e.bonds_at_start[i]) : 0.0F;
-    }
-    out_.frame({sim_.time(), displacement_, quaternion_, broken_});
-  }
-
-  void samples(double time) {
-    ties(time);
-    out_.history(time, sim_.history());
-    const ForcesRow& f = sim_.forces();
-    state_.peak_base_shear = std::max(state_.peak_base_shear, std::hypot(f.base_shear.x, f.base_shear.y));
-  }
-
-  void ledger(double time) {
-    out_.energy(sim_.energy());
-    const Damage& d = sim_.damage();
-    out_.damage({time, d.bonded, d.slipped, d.tension, d.shear, d.compression, first_limits(sim_.world())});
-    cracks();
-  }
-
-  void cracks() {
-    if (sim_.cracks().empty()) return;
-    cracks_.clear();
-    cracks_.swap(sim_.cracks());  // taken out first, so that a recorder that throws is not told them twice
-    for (const CrackRow& r : cracks_) {
-      if (state_.first_crack < 0.0 && r.time >= 0.0) state_.first_crack = r.time;
-      if (state_.settling_crack == 0.0 && r.time < 0.0) state_.settling_crack = r.time;
-    }
-    out_.cracks(cracks_);
-  }
-
- private:
-  void ties(double time) {
-    const std::size_t own = cases::own_ties(sim_.world().model);
-    if (own == 0) return;
-    ties_.clear();
-    for (const kernels::TieState& s : std::span(sim_.world().ties.state).first(own))
-      ties_.push_back({s.force, s.elongation, s.plastic, s.broken != 0});
-    out_.ties(time, ties_);
-  }
-
-  Simulation& sim_;
-  RunState& state_;
-  Recorder& out_;
-  std::vector<TieSample> ties_;
-  std::vector<CrackRow> cracks_;
-  std::vector<float> displacement_, quaternion_, broken_;
-};
 
 FallenMass fallen_mass(const World& w) {
   const Elements& e = w.elements;
@@ -187,9 +124,47 @@ class Plan {
     return true;
   }
 
+  /// The same from one state of rest to the next. \return false if the tick stopped it
+  bool follow() {
+    while (sim_.steps() <= last_) {
+      if (!go_on()) return false;
+      const double time = sim_.time();
+      const bool row = sim_.path().rests(sim_.relaxation().unbalanced()) || sim_.steps() == last_;
+      if (row) sim_.check_speeds(), report_.take_frame();
+      sim_.step({.sample = row, .ledger = row});
+      ++state_.steps;
+      if (row && sim_.path().rests(sim_.relaxation().unbalanced())) tell_rest(time);
+      if (row && sim_.path().is_lost()) tell_row(time, kLost);
+      if (sim_.path().is_lost()) sim_.program().end_at(sim_.steps());
+      end_with_program();
+    }
+    sim_.check_speeds();
+    return true;
+  }
+
   void tell_cracks() { report_.cracks(); }
 
  private:
+  void tell_rest(double time) {
+    sim_.accept_rest();
+    tell_row(time, sim_.program().ended() > 0 ? 1.0 : 0.0);
+    check_residual(sim_);
+    if (state_.collapse < 0.0 && fallen_mass(sim_.world()).is_collapse()) state_.collapse = time, end_after_collapse();
+  }
+
+  /// Of the last step, whose frame was taken before it.
+  void tell_row(double time, double over) {
+    const StageTimer timer(sim_.stage_times(), Stage::output);
+    report_.tell_frame();
+    report_.samples(time);
+    AssessmentRow r = sim_.program().row(sim_.world(), time);
+    r.unbalanced = sim_.relaxation().unbalanced(), r.over = over;
+    out_.assessment(r);
+    out_.forces(sim_.forces());
+    if (!sim_.cuts().empty()) out_.cuts(time, sim_.cuts());
+    report_.ledger(time);
+  }
+
   /// The step in which the collapse is seen is never the last: the tick is told of the last one before it.
   void end_after_collapse() {
     if (!after_collapse_ || state_.collapse < 0.0) return;
@@ -256,7 +231,7 @@ RunResult run(Simulation& sim, RunState& state, const cases::Case& c, double end
       state.shaking = true;
       state.settling = sim.damage();
     }
-    if (!stopped) stopped = !plan.shake();
+    if (!stopped) stopped = !(sim.relaxation().on() ? plan.follow() : plan.shake());
   } catch (...) {
     try {
       plan.tell_cracks();

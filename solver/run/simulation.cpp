@@ -29,6 +29,13 @@ namespace voussoir::solver {
 
 namespace {
 
+constexpr double kRelaxedRamp = 2000.0;      // iterations, of gravity in a relaxation
+constexpr double kRelaxedLimit = 200'000.0;  // iterations, of settling after it
+
+std::unique_ptr<World> world_of(const cases::Case& c, const cases::Model& m, const Options& o) {
+  return cases::finds_rest(c.analysis) ? build_world(without_rates(c), m, o) : build_world(c, m, o);
+}
+
 constexpr double kFastest = 200.0;           // m/s; a house that falls from 20 m reaches 20
 constexpr double kLargestTurn = 0.5;         // rad in a step of its own: what turns faster has no true orientation, THEORY (24)
 constexpr std::int64_t kGuardInterval = 20;  // steps
@@ -39,7 +46,7 @@ constexpr double kRest = 1e-8;               // kinetic over elastic energy
 }  // namespace
 
 Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases::GroundMotion& motion, const Options& o)
-    : case_(c), motion_(motion), ground_velocity_(motion), world_(build_world(c, m, o)), program_(c, *world_) {
+    : case_(c), motion_(motion), ground_velocity_(motion), world_(world_of(c, m, o)), program_(c, *world_) {
   World& w = *world_;
   set_threads(o.threads);
   list_live_blocks(w);
@@ -47,6 +54,11 @@ Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases:
   full_gravity_ = cases::gravity_on_base(c);
   const double frequency = c.damping.frequency.value_or(0.0);
   ramp_ = c.gravity.ramp.value_or(frequency > 0.0 ? 5.0 / frequency : kRamp);
+  settle_limit_ = c.gravity.settle_limit;
+  if (cases::finds_rest(c.analysis)) {
+    relaxation_ = Relaxation(c, w), path_ = Path(c.analysis);
+    ramp_ = kRelaxedRamp * w.dt, settle_limit_ = kRelaxedLimit * w.dt;
+  }
   damage_ = initial_damage(w);
   ledger_ = Ledger(w);
   case_alpha_ = w.elements.alpha;
@@ -64,7 +76,7 @@ Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases:
         2.0 * 2.0 * std::numbers::pi * (frequency > 0.0 ? frequency : 5.0 / (ramp_ > 0.0 ? std::max(ramp_, kShortestRamp) : kRamp));
     set_damping(settling_alpha_);
   } else {
-    set_initial_velocities(w);
+    if (!relaxation_.on()) set_initial_velocities(w);
     start_cycles(w);
   }
   // Rows follow from the state: a drift of no time writes them.
@@ -73,7 +85,7 @@ Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases:
 
 double Simulation::time_of(std::int64_t step) const {
   const double t = static_cast<double>(step) * world_->dt;
-  return phase_ == Phase::settling ? t - (ramp_ + case_.gravity.settle_limit) : t;
+  return phase_ == Phase::settling ? t - (ramp_ + settle_limit_) : t;
 }
 
 double Simulation::gravity_share(double t) const {
@@ -99,6 +111,7 @@ kernels::BodyForces Simulation::body_forces(int level) const {
     const Multirate& m = world_->multirate;
     const double share = m.impulse_steps(level, 0) / m.steps_of(level);
     f.gravity = share * f.gravity, f.ground = share * f.ground;
+    if (relaxation_.on()) f.gravity = f.ground = {};  // weights are among the forces of the rows
     return f;
   }
   f.mean_gravity = 0.5 * (f.gravity + gravity_at(t - dt));
@@ -108,16 +121,22 @@ kernels::BodyForces Simulation::body_forces(int level) const {
     f.ground = -1.0 * program_.acceleration();
     f.mean_ground = -1.0 * program_.mean_acceleration();
   }
+  if (relaxation_.on()) f.gravity = f.ground = {};
   return f;
+}
+
+/// Time in the histories of supports, at this step or so far ahead [s].
+double Simulation::support_time(double ahead) const {
+  if (!relaxation_.on()) return program_.support_time(static_cast<double>(step_) * world_->dt + ahead);
+  return path_.clock() + (ahead > 0.0 ? path_.pull() : 0.0);
 }
 
 void Simulation::place_supports() {
   if (phase_ == Phase::settling) return;
-  const double t = static_cast<double>(step_) * world_->dt;
   Elements& e = world_->elements;
   for (const Support& s : world_->supports) {
     const auto i = static_cast<std::size_t>(s.element);
-    const Vec3 u = value_at(*s.history, program_.support_time(t));
+    const Vec3 u = value_at(*s.history, support_time(0.0));
     const double jump = norm(u - Vec3{e.ux[i], e.uy[i], e.uz[i]});  // beside what its velocity has made of it
     world_->travel.add(s.element, jump);
     e.ux[i] = u.x, e.uy[i] = u.y, e.uz[i] = u.z;
@@ -128,11 +147,11 @@ void Simulation::place_supports() {
 
 void Simulation::move_supports_on() {
   if (phase_ == Phase::settling) return;
-  const double dt = world_->dt, t = static_cast<double>(step_) * dt;
+  const double dt = world_->dt;
   Elements& e = world_->elements;
   for (const Support& s : world_->supports) {
     const auto i = static_cast<std::size_t>(s.element);
-    const Vec3 v = (value_at(*s.history, program_.support_time(t + dt)) - value_at(*s.history, program_.support_time(t))) / dt;
+    const Vec3 v = (value_at(*s.history, support_time(dt)) - value_at(*s.history, support_time(0.0))) / dt;
     // `kick` has counted the dashpots' loss with the new velocity, since it does not change that of fixed elements; (27) asks for the mean.
     const double* dash = e.dashpot.data() + i * kernels::kDashpotStride;
     e.tally[i / kernels::kBatch * kernels::kTallies + static_cast<std::size_t>(kernels::Tally::loss_dashpots)] +=
@@ -146,6 +165,27 @@ void Simulation::apply_loads() {
   const bool shaking = phase_ == Phase::shaking;
   if (shaking) ledger_.add_load_work(program_.add_forces(w));
   solver::apply_loads(w, ledger_, load_before_, shaking ? static_cast<double>(step_) * w.dt : 0.0, program_.factor(), step_ == 0);
+}
+
+/// What a relaxation does beside the loads of a case.
+void Simulation::relax() {
+  const double t = static_cast<double>(step_) * world_->dt;
+  relaxation_.look(*world_, phase_ == Phase::settling ? gravity_at(t) : gravity_at(t) + program_.acceleration());
+  if (phase_ == Phase::shaking) path_.iterated();
+}
+
+void Simulation::accept_rest() {
+  const World& w = *world_;
+  program_.rest_at(w, -dot(forces_.base_shear, program_.across()), step_);
+  RestPoint p{.factor = program_.factor(), .done = program_.way(), .left = program_.way_left()};
+  if (!w.supports.empty() && program_.analysis().kind == cases::AnalysisKind::settlement) {
+    p.done = path_.clock(), p.left = program_.last_support() - path_.clock();
+    if (p.left <= 0.0) program_.end_at(step_);
+  }
+  p.damaged = damage_.slipped + damage_.tension + damage_.shear + damage_.compression;
+  for (const std::int32_t bonds : w.elements.bonds_at_start) p.bonds += bonds;
+  const double per_step = relaxation_.frequency() * w.dt;
+  path_.accept(p, 2.0 * std::numbers::pi / std::max(per_step, 1e-6));
 }
 
 /// Of the largest speed [m2/s2]. \throw NumericalError
@@ -294,11 +334,12 @@ void Simulation::advance(Due due) {
   note(StepStage::support_work);
   ledger_.add_support_work(w);
   if (due.sample) note(StepStage::velocities_before), note_velocities();
-  if (phase_ == Phase::shaking) note(StepStage::load_program), program_.advance(w, step_);
+  if (phase_ == Phase::shaking) note(StepStage::load_program), program_.pull(path_.pull()), program_.advance(w, step_);
   note(StepStage::loads);
   apply_loads();
   note(StepStage::support_velocities);
   move_supports_on();
+  if (relaxation_.on()) note(StepStage::relaxation), relax();
   note(StepStage::kick);
   if (due.sample) {
     kick();
@@ -317,12 +358,13 @@ void Simulation::advance(Due due) {
 
 // The row of the first step knows of no motion yet, and one from before the last step was perhaps of the ramp.
 bool Simulation::at_rest() const {
+  if (relaxation_.on()) return static_cast<double>(step_) * world_->dt > ramp_ && relaxation_.unbalanced() <= program_.analysis().tolerance;
   return step_ > 1 && static_cast<double>(step_) * world_->dt > ramp_ && ledger_.last().time == time_of(step_ - 1) &&
          ledger_.kinetic_over_elastic() < kRest;
 }
 
 // Not one step longer: settling has negative times, and time zero belongs to the shaking alone.
-bool Simulation::settled_too_long() const { return static_cast<double>(step_) * world_->dt >= ramp_ + case_.gravity.settle_limit; }
+bool Simulation::settled_too_long() const { return static_cast<double>(step_) * world_->dt >= ramp_ + settle_limit_; }
 
 void Simulation::set_damping(double alpha) {
   Elements& e = world_->elements;
@@ -334,7 +376,7 @@ void Simulation::set_damping(double alpha) {
 void Simulation::start_shaking() {
   Elements& e = world_->elements;
   if (phase_ == Phase::settling) {
-    set_initial_velocities(*world_);
+    if (!relaxation_.on()) set_initial_velocities(*world_);
     e.alpha = case_alpha_;
   }
   if (program_.active()) set_damping(program_.drive().damping);
@@ -348,6 +390,7 @@ void Simulation::start_shaking() {
   start_cycles(*world_);
   ledger_.restart(*world_);
   program_.begin(*world_);
+  path_.begin(program_.drive().first);
   for (std::size_t k = 0; k < followed_.size(); ++k) {
     const auto i = static_cast<std::size_t>(followed_[k]);
     start_[k] = {e.ux[i], e.uy[i], e.uz[i]};

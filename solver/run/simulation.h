@@ -9,6 +9,8 @@
 
 #include "cases/forward.h"
 #include "cases/motion.h"
+#include "solver/equilibrium/path.h"
+#include "solver/equilibrium/relaxation.h"
 #include "solver/run/cuts.h"
 #include "solver/run/damage.h"
 #include "solver/run/forces.h"
@@ -57,6 +59,12 @@ class Simulation {
   [[nodiscard]] const LoadProgram& program() const { return program_; }
   [[nodiscard]] LoadProgram& program() { return program_; }
 
+  /// Of an analysis whose rows are states of rest; off in any other.
+  [[nodiscard]] const Relaxation& relaxation() const { return relaxation_; }
+  [[nodiscard]] const Path& path() const { return path_; }
+  /// Takes the state of rest of the last step, which had a sample, as a point of the path.
+  void accept_rest();
+
   /// Whether, while settling, gravity is complete and (nearly) nothing moves. Determined only by a step with a ledger row.
   [[nodiscard]] bool at_rest() const;
   /// Whether the time limit of settling has passed.
@@ -99,6 +107,8 @@ class Simulation {
   void place_supports();
   void move_supports_on();
   void apply_loads();
+  void relax();
+  [[nodiscard]] double support_time(double ahead) const;
   void measure_base_forces();
   void take_samples();
   void note_velocities();
@@ -127,10 +137,13 @@ class Simulation {
   cases::GroundVelocity ground_velocity_;
   std::unique_ptr<World> world_;
   LoadProgram program_;
+  Relaxation relaxation_;
+  Path path_;
   Phase phase_ = Phase::shaking;
   std::int64_t step_ = 0;
   Vec3 full_gravity_;            // m/s2, tilted
   double ramp_ = 0.0;            // s
+  double settle_limit_ = 0.0;    // s, after the ramp
   double settling_alpha_ = 0.0;  // 1/s
   Array<double> case_alpha_;
   ForceStage forces_stage_;

@@ -36,6 +36,7 @@ inline constexpr std::uint32_t
     kGround = 1U << 20,         // velocities of moved supports
     kNewVelocities = 1U << 21,  // v(n+½)
     kNewPoses = 1U << 22,       // x(n+1), travel bounds
+    kWeights = 1U << 25,        // weights on rows, and the damping of a relaxation; else kick has them
     // For observers.
     kBooksBefore = 1U << 23, kVelocitiesBefore = 1U << 24;
 inline constexpr std::uint32_t kAtFirst = kPoses | kVelocities | kHistories;
@@ -77,7 +78,8 @@ inline constexpr StepStageEntry kStepStages[] = {
     {load_program, "advance", false, kForces, kFactor},
     {loads, "apply_loads", true, kFactor | kForces | kImpulses, kLoads},
     {support_velocities, "move_supports_on", true, kForces | kImpulses, kGround},
-    {kick, "kick", true, kForces | kDamage | kImpulses | kLoads | kGround, kNewVelocities},
+    {relaxation, "Relaxation::look", false, kForces | kDamage | kLoads, kWeights},
+    {kick, "kick", true, kForces | kDamage | kImpulses | kLoads | kGround | kWeights, kNewVelocities},
     {samples, "take_samples", false, kPoses | kVelocitiesBefore | kNewVelocities, 0},
     {drift, "drift", true, kMoves | kNewVelocities, kNewPoses},
     {ledger_after, "after_drift", false, kBooksBefore | kNewVelocities | kNewPoses, 0},

@@ -233,6 +233,9 @@ struct FieldTable {
     t.push_back(rows<double>("followed_turned", "-", "history", s.turned_, 4));
     add(t, s.ledger_);
     add(t, s.program_);
+    if (!s.relaxation_.on()) return;
+    t.push_back({"relaxation", "SI", "run", FieldType::f64, &s.relaxation_.state_, 1, sizeof(Relaxation::State) / sizeof(double)});
+    t.push_back({"path", "SI", "run", FieldType::f64, &s.path_.state_, 1, sizeof(Path::State) / sizeof(double)});
   }
 };
 

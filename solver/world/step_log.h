@@ -32,6 +32,7 @@ enum class StepStage : std::uint8_t {
   load_program,
   loads,
   support_velocities,
+  relaxation,
   kick,
   samples,
   drift,

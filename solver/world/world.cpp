@@ -7,6 +7,9 @@
 namespace voussoir::solver {
 
 kernels::ElementsView Elements::view() noexcept {
+  const bool own = !inert.any();  // else those of a relaxation
+  const double* round = inert.inv_inertia.data();
+  const double* products = inert.zeros.data();
   return {.ux = ux.data(),
           .uy = uy.data(),
           .uz = uz.data(),
@@ -25,15 +28,16 @@ kernels::ElementsView Elements::view() noexcept {
           .wz = wz.data(),
           .tally = tally.data(),
           .mass = mass.data(),
-          .inv_mass = inv_mass.data(),
+          .inert_mass = inert_mass().data(),
+          .inv_mass = inert_inv_mass().data(),
           .alpha = alpha.data(),
-          .ixx = ixx.data(),
-          .iyy = iyy.data(),
-          .izz = izz.data(),
-          .ixy = ixy.data(),
-          .ixz = ixz.data(),
-          .iyz = iyz.data(),
-          .principal = principal.data()};
+          .ixx = own ? ixx.data() : round,
+          .iyy = own ? iyy.data() : round,
+          .izz = own ? izz.data() : round,
+          .ixy = own ? ixy.data() : products,
+          .ixz = own ? ixz.data() : products,
+          .iyz = own ? iyz.data() : products,
+          .principal = own ? principal.data() : inert.principal.data()};
 }
 
 void Elements::store_velocity_row(std::int32_t element) noexcept {

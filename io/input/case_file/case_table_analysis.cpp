@@ -36,6 +36,12 @@ void check_own_keys(const Analysis& s, const RuleCheck& check) {
   only("pace", s.pace.has_value(), slow, any_slow);
   only("damping", s.damping.has_value(), slow, any_slow);
   only("longest", s.longest != plain.longest, slow, any_slow);
+  const bool at_rest = finds_rest(s);
+  only("solver", s.solver != plain.solver, slow, any_slow);
+  only("tolerance", s.tolerance != plain.tolerance, at_rest, "solver = \"equilibrium\"");
+  only("path_step", s.path_step != plain.path_step, at_rest, "solver = \"equilibrium\"");
+  only("pace", s.pace.has_value() && at_rest, false, "solver = \"dynamics\": states of rest have no rate");
+  only("damping", s.damping.has_value() && at_rest, false, "solver = \"dynamics\": states of rest have no damping");
   if (std::hypot(s.direction[0], s.direction[1]) < kShortestVector) check.fault("direction", "has no direction");
   if (kind == AnalysisKind::cyclic && s.amplitudes.empty()) check.fault("amplitudes", "is missing: give those of the cycles (m, > 0)");
   if (std::ranges::any_of(s.amplitudes, [](double a) { return a <= 0.0; })) check.fault("amplitudes", "must all be > 0 (m)");
@@ -57,6 +63,10 @@ Table<Analysis> analysis_table() {
            "time-history: [motion] shakes; pushover: lateral forces grow; tilt: gravity turns; settlement: supports move by their "
            "[block.motion] or that of a [[base.part]]; cyclic: the loads that grow push to and fro. All but the first go slowly and leave "
            "[motion] out"),
+       choice<S, Solver S::*, Solver>(
+           "solver", &S::solver, "", {{"dynamics", Solver::dynamics}, {"equilibrium", Solver::equilibrium}},
+           "dynamics: the structure moves slowly, so the result depends a little on the pace; equilibrium: each row is a state of rest, "
+           "found by relaxation"),
        choice<S, LoadPattern S::*, LoadPattern>(
            "pattern", &S::pattern, "", {{"mass", LoadPattern::mass}, {"mode", LoadPattern::mode}, {"given", LoadPattern::given}},
            "pushover: forces as the masses, as the masses times the mode with most mass in `direction`, or the [[load]]s that grow"),
@@ -84,6 +94,12 @@ Table<Analysis> analysis_table() {
        value<S>("amplitudes", &S::amplitudes, "m", any().usually(usual::kAmplitude),
                 "cyclic: of the displacement of the loads that grow, one after another"),
        value<S>("cycles", &S::cycles, "", within(1.0, 1000.0), "cyclic: at each amplitude"),
+       value<S>(
+           "tolerance", &S::tolerance, "", inside(0.0, 1.0),
+           "equilibrium: largest unbalanced force over the mean weight of an element (or moment, over that and the element's radius) of "
+           "a state of rest"),
+       value<S>("path_step", &S::path_step, "", inside(0.0, 1.0),
+                "equilibrium: change of the load factor from one state to the next, of the largest so far; more where nothing breaks"),
        value<S>("level", &S::level, "", any(), "cyclic: blocks with a load that grows do not turn (the top is held level)")},
       check_own_keys};
 }

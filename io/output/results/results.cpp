@@ -236,7 +236,7 @@ void ResultsWriter::assessment(const solver::AssessmentRow& row) {
   RowBuffer& to = table(RowTable::assessment);
   if (!to.begin(row.time)) return;
   std::size_t column = 1;
-  for (const double value : {row.factor, row.displacement, row.drift, row.moved, row.base_shear, row.support_moved, row.over})
+  for (const double value : {row.factor, row.displacement, row.drift, row.moved, row.base_shear, row.support_moved, row.over, row.unbalanced})
     to.put(column++, value);
   write_if_due();
 }

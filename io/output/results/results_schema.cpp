@@ -106,7 +106,10 @@ TableSpec assessment_columns() {
           scalar("/assessment/base_shear", "N",
                  "force along analysis.direction that base and supports bear, mean over a first period; mass damping is not in it"),
           scalar("/assessment/support_moved", "m", "of the moving support that has gone farthest"),
-          scalar("/assessment/over", "1", "1 once the analysis has found what it looks for")};
+          scalar("/assessment/over", "1", "1 once the analysis has found what it looks for; 2: no state of rest was found from here on"),
+          scalar("/assessment/unbalanced", "1",
+                 "analysis.solver = equilibrium: largest unbalanced force over the mean weight of an element, or moment over that and the "
+                 "element's radius; NaN: dynamics")};
 }
 
 TableSpec frames_columns(std::uint64_t n) {

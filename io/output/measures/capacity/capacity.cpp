@@ -19,6 +19,7 @@ namespace voussoir::io {
 namespace {
 
 constexpr double kWindow = 0.1;        // of the pace: length of the window for the mean load factor
+constexpr double kLost = 2.0;          // AssessmentRow::over of a row that is no state of rest
 constexpr double kOnward = 0.9;        // least net share of the displacement path in such a window
 constexpr double kLoaded = 0.25;       // of the largest load factor: the work put in before is too small to compare with
 constexpr double kFirstShare = 0.15;   // of the largest base shear: its secant is the first stiffness
@@ -93,12 +94,17 @@ std::optional<Window> window_of(const CapacityCurve& r, double weight, std::size
   return Window{sum / moved, std::max(0.0, motion) / (weight * moved)};
 }
 
-/// Finds the largest load factor borne by the structure itself, (30) of THEORY.md.
+/// Finds the largest load factor borne by the structure itself, (30) of THEORY.md; of states of rest it is the largest.
 void look_at_motion(Capacity& c, double pace, double weight) {
   const CapacityCurve& r = c.curve;
   const auto peak = static_cast<std::size_t>(std::ranges::max_element(r.factor) - r.factor.begin());
   c.multiplier = r.factor[peak];
   c.least_factor = *std::ranges::min_element(r.factor);
+  if (!r.unbalanced.empty()) {
+    c.unbalanced = *std::ranges::max_element(r.unbalanced);
+    c.multiplier_at_rest = c.multiplier, c.multiplier_time = r.time[peak], c.multiplier_displacement = r.displacement[peak];
+    return;
+  }
   std::size_t from = 0, at = 0;
   double most = -1.0;
   for (std::size_t i = 1; i < r.time.size(); ++i) {
@@ -186,6 +192,7 @@ void look_at_mechanism(const Hdf5File& run, Capacity& c) {
 
 const char* why_ended(const Capacity& c, const cases::Analysis& a, bool collapsed) {
   const CapacityCurve& r = c.curve;
+  if (r.over.back() == kLost) return "no further state of rest";
   if (r.over.back() == 0.0) return collapsed ? "collapse" : r.time.back() < a.longest * (1.0 - 1e-3) ? "not yet" : "longest";
   if (a.kind == cases::AnalysisKind::settlement || a.kind == cases::AnalysisKind::cyclic) return "history";
   if (r.factor.back() >= a.largest_factor * (1.0 - 1e-3)) return "largest factor";
@@ -218,7 +225,7 @@ Values base_shear(const Hdf5File& run, const Values& time, const std::array<doub
 }
 
 /// Rows of /assessment with those of /energy and /forces at the same times, which all tables have from time zero on.
-CapacityCurve curve_of(const Hdf5File& run, const std::array<double, 2>& direction, double period) {
+CapacityCurve curve_of(const Hdf5File& run, const std::array<double, 2>& direction, double period, bool at_rest) {
   const auto of = [&](const char* name) { return run.read<double>(std::string("/assessment/") + name); };
   CapacityCurve c{of("time"),
                   of("factor"),
@@ -228,6 +235,7 @@ CapacityCurve curve_of(const Hdf5File& run, const std::array<double, 2>& directi
                   of("base_shear"),
                   of("support_moved"),
                   of("over"),
+                  {},
                   {},
                   {},
                   {},
@@ -246,11 +254,19 @@ CapacityCurve curve_of(const Hdf5File& run, const std::array<double, 2>& directi
     c.losses.push_back(dashpot[k] + friction[k] + fracture[k] + damping[k]);
     c.stored.push_back(kinetic[k] + strain[k] + contact[k] + gravity[k]);
   }
-  c.base_shear = base_shear(run, c.time, direction, period);
+  if (at_rest) c.unbalanced = of("unbalanced");
+  c.base_shear = base_shear(run, c.time, direction, at_rest ? 0.0 : period);
   kept = std::min(kept, c.base_shear.size());
-  for (Values* v : {&c.time, &c.factor, &c.displacement, &c.drift, &c.moved, &c.base_shear, &c.support_moved, &c.over, &c.input, &c.kinetic,
-                    &c.damping, &c.losses, &c.stored})
-    v->resize(kept);
+  const std::array columns = {&c.time, &c.factor, &c.displacement, &c.drift,   &c.moved,  &c.base_shear, &c.support_moved,
+                              &c.over, &c.input,  &c.kinetic,      &c.damping, &c.losses, &c.stored};
+  for (Values* v : columns) v->resize(kept);
+  if (!at_rest) return c;
+  c.unbalanced.resize(kept);
+  if (kept > 1 && c.over.back() == kLost) {  // no state of rest, so no point of the curve
+    for (Values* v : columns) v->pop_back();
+    c.unbalanced.pop_back();
+    c.over.back() = kLost;
+  }
   return c;
 }
 
@@ -277,7 +293,7 @@ std::optional<Capacity> capacity_figures(const Hdf5File& run) {
   if (!run.exists("/assessment") || !run.has_attribute("/assessment", "pace")) return {};
   const cases::Analysis a = read_case({run.path(), run.attribute_text("/case", "toml")}).value.analysis;
   const auto drive = [&](const char* name) { return run.attribute_double("/assessment", name); };
-  CapacityCurve curve = curve_of(run, a.direction, 1.0 / drive("frequency"));
+  CapacityCurve curve = curve_of(run, a.direction, 1.0 / drive("frequency"), cases::finds_rest(a));
   if (curve.time.empty()) return {};
   Capacity c = capacity_of(a.kind, a.drop, drive("pace"), drive("weight"), drive("quiet"), std::move(curve));
   const bool collapsed = run.has_attribute("/summary", "collapsed") && run.attribute_int("/summary", "collapsed") != 0;

@@ -23,6 +23,7 @@ struct CapacityCurve {
   std::vector<double> factor, displacement, drift, moved, base_shear;  // 1, m, 1, m, N
   std::vector<double> support_moved, over;                             // m, 0 or 1
   std::vector<double> input, kinetic, damping, losses, stored;         // J; losses include damping, stored includes kinetic
+  std::vector<double> unbalanced;  // 1, how far each row is from a state of rest; empty: rows of a motion
 };
 
 /// An elastic-perfectly plastic curve.
@@ -46,12 +47,13 @@ struct Loop {
 
 struct Capacity {
   cases::AnalysisKind kind = cases::AnalysisKind::pushover;
-  double drop = 0.2;                // analysis.drop
-  std::string ended;                // reason for the end of the run: see MEASURES.md
-  double multiplier = 0.0;          // the largest load factor
-  double multiplier_at_rest = 0.0;  // largest mean over a tenth of the pace, without the part borne by inertia and mass damping
-  double motion_share = 0.0;        // of that mean, the part borne by inertia and mass damping
-  double kinetic_share = 0.0;       // largest kinetic energy over the work put in until then
+  double drop = 0.2;                    // analysis.drop
+  std::string ended;                    // reason for the end of the run: see MEASURES.md
+  double multiplier = 0.0;              // the largest load factor
+  double multiplier_at_rest = 0.0;      // largest mean over a tenth of the pace, without the part borne by inertia and mass damping
+  double motion_share = 0.0;            // of that mean, the part borne by inertia and mass damping
+  double unbalanced = Bilinear::kNone;  // analysis.solver = "equilibrium": largest of the rows; then the shares of motion are 0
+  double kinetic_share = 0.0;           // largest kinetic energy over the work put in until then
   double multiplier_time = 0.0, multiplier_displacement = 0.0;                       // of multiplier_at_rest: s, m of the control point
   double peak_shear = 0.0, peak_displacement = 0.0, peak_time = 0.0;                 // N, m, s
   double first_stiffness = Bilinear::kNone;                                          // N/m

@@ -131,6 +131,7 @@ std::vector<Figure> figures_of(const Capacity& c) {
   }
   f.push_back({"motion_share", c.motion_share, "1"});
   f.push_back({"kinetic_share", c.kinetic_share, "1"});
+  f.push_back({"unbalanced", c.unbalanced, "1 (NaN: dynamics), largest unbalanced force over the mean weight of an element"});
   f.push_back({"slow", std::int64_t{is_slow(c)}, "0: the result depends on the rate"});
   f.push_back({"loop_area", c.loop_area, "J"});
   f.push_back({"dissipated", c.dissipated, "J"});
@@ -179,8 +180,11 @@ std::string capacity_text(const Capacity& c) {
   text += c.kind == AnalysisKind::cyclic ? line(name, "%.4f", c.multiplier)
                                          : line(name, "%.4f; borne at rest %.4f, at %.3f mm of the control point", c.multiplier,
                                                 c.multiplier_at_rest, 1e3 * c.multiplier_displacement);
-  text += line("rate", "%.2g of that was borne by motion, kinetic energy at most %.2g of the work: %s", c.motion_share, c.kinetic_share,
-               is_slow(c) ? "slow enough" : "the result depends on the rate; try a larger analysis.pace");
+  text += !std::isnan(c.unbalanced)
+              ? line("equilibrium", "%zu states of rest, unbalanced by at most %.1e of an element's mean weight", c.curve.time.size(),
+                     c.unbalanced)
+              : line("rate", "%.2g of that was borne by motion, kinetic energy at most %.2g of the work: %s", c.motion_share,
+                     c.kinetic_share, is_slow(c) ? "slow enough" : "the result depends on the rate; try a larger analysis.pace");
   if (c.kind == AnalysisKind::cyclic) {
     text += line("the other way", "%.4f", c.least_factor);
     text += line("loops", "%.4g J put in, %.4g J lost, %.4g J stored", c.loop_area, c.dissipated, c.stored);

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/equilibrium/relaxation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "solver/equilibrium/masses.h"
+
+namespace voussoir::solver {
+
+namespace {
+
+constexpr double kMostDamping = 1.8;            // α Δt
+constexpr std::int64_t kElementsAtATime = 256;  // that a thread takes
+
+Vec3 at(const Array<double>& x, const Array<double>& y, const Array<double>& z, std::size_t i) { return {x[i], y[i], z[i]}; }
+
+/// N, mean over the elements that move: weights, dead loads, and those that grow where there is nothing else.
+double mean_weight(const cases::Case& c, const World& w) {
+  const double g = norm(c.gravity.acceleration);
+  double dead = 0.0, growing = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(w.elements.count); ++i) {
+    if (w.elements.fixed[i]) continue;
+    dead += g * w.elements.mass[i], count += 1.0;
+  }
+  for (const PointLoad& l : w.loads) (l.grows ? growing : dead) += norm(l.force);
+  const double all = dead > 0.0 ? dead : growing;
+  if (count > 0.0 && !(all > 0.0))
+    throw cases::InputError("analysis.solver",
+                            "= \"equilibrium\" needs gravity or a load with a force, to which unbalanced forces compare");
+  return all / std::max(count, 1.0);
+}
+
+int experiment() {
+  static const int k = [] {
+    const char* e = std::getenv("VOUSSOIR_RELAX");
+    return e == nullptr ? 0 : std::atoi(e);
+  }();
+  return k;
+}
+
+}  // namespace
+
+cases::Case without_rates(const cases::Case& c) {
+  cases::Case r = c;
+  r.contact.damping = 0.0;
+  r.contact.restitution.reset();
+  r.damping = {};
+  return r;
+}
+
+Relaxation::Relaxation(const cases::Case& c, World& w) : on_(true), typical_(mean_weight(c, w)) {
+  find_inert_masses(w);
+  patches_ = w.patches.patch.size();
+  by_batch_.resize(static_cast<std::size_t>(w.elements.rows / kernels::kBatch));
+}
+
+/// Of one element; adds its weight.
+Relaxation::Sums Relaxation::look_at(World& w, std::size_t i, Vec3 acceleration) const {
+  Elements& e = w.elements;
+  double* r = e.wrench.data() + i * kernels::kWrenchStride;
+  const double m = e.mass[i];
+  r[0] += m * acceleration.x, r[1] += m * acceleration.y, r[2] += m * acceleration.z;
+  const double mass = e.inert.inv_mass[i], turn = e.inert.inv_inertia[i];
+  const Vec3 f{r[0], r[1], r[2]}, t{r[3], r[4], r[5]};
+  const Vec3 v = at(e.vx, e.vy, e.vz, i), spin = at(e.wx, e.wy, e.wz, i), l = at(e.lx, e.ly, e.lz, i);
+  const double moment = turn > 0.0 ? norm(t) / e.radius[i] : 0.0;
+  if (experiment() == 2) {
+    const auto brake = [&](double& x, double speed) { x -= 0.8 * std::abs(x) * (speed > 0.0 ? 1.0 : speed < 0.0 ? -1.0 : 0.0); };
+    brake(r[0], v.x), brake(r[1], v.y), brake(r[2], v.z), brake(r[3], spin.x), brake(r[4], spin.y), brake(r[5], spin.z);
+  }
+  return {dot(f, v) + dot(t, spin), mass * dot(f, f) + turn * dot(t, t), dot(v, v) / mass + dot(l, spin), std::max(norm(f), moment)};
+}
+
+/// Sums over all elements, those of batches one after another: no bit depends on the threads.
+Relaxation::Sums Relaxation::all_of(World& w, Vec3 acceleration) {
+  w.team.share_out(w.elements.rows, kElementsAtATime, [&](std::int64_t first, std::int64_t last) {
+    for (std::int64_t batch = first / kernels::kBatch; batch < last / kernels::kBatch; ++batch) {
+      Sums sum;
+      for (std::int64_t k = batch * kernels::kBatch; k < (batch + 1) * kernels::kBatch; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        if (w.elements.inert.inv_mass[i] == 0.0) continue;
+        const Sums own = look_at(w, i, acceleration);
+        sum.power += own.power, sum.square += own.square, sum.kinetic += own.kinetic, sum.most = std::max(sum.most, own.most);
+      }
+      by_batch_[static_cast<std::size_t>(batch)] = sum;
+    }
+  });
+  Sums all;
+  for (const Sums& s : by_batch_)
+    all.power += s.power, all.square += s.square, all.kinetic += s.kinetic, all.most = std::max(all.most, s.most);
+  return all;
+}
+
+void Relaxation::look(World& w, Vec3 acceleration) {
+  if (patches_ != w.patches.patch.size()) {
+    find_inert_masses(w);
+    patches_ = w.patches.patch.size();
+  }
+  const Sums s = all_of(w, acceleration);
+  state_.unbalanced = s.most / typical_;
+  if (s.kinetic > 0.0) state_.frequency = std::sqrt(std::max(0.0, (state_.power - s.power) / (w.dt * s.kinetic)));
+  double alpha = std::min(2.0 * state_.frequency, kMostDamping / w.dt);
+  if (experiment() != 0) alpha = 0.0;
+  if (experiment() == 1) {
+    static double last = 0.0;
+    if (s.kinetic < last) {
+      Elements& e = w.elements;
+      for (Array<double>* a : {&e.vx, &e.vy, &e.vz, &e.lx, &e.ly, &e.lz, &e.wx, &e.wy, &e.wz}) std::fill(a->begin(), a->end(), 0.0);
+      last = 0.0;
+    } else {
+      last = s.kinetic;
+    }
+  }
+  const double a = 0.5 * alpha * w.dt;
+  state_.power = ((1.0 - a) * s.power + w.dt * s.square) / (1.0 + a);
+  std::fill(w.elements.alpha.begin(), w.elements.alpha.end(), alpha);
+}
+
+}  // namespace voussoir::solver
