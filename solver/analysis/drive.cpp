@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -241,13 +242,18 @@ void choose_drive(Simulation& sim, const cases::Case& c) {
   if (settles) {
     const double speed = kSupportShare * all.height / d.pace;
     d.speed = support_speed(w, speed);
-    if (cases::finds_rest(a)) d.first = kRestMovement * all.height * support_speed(w, 1.0);  // s of the histories
+    if (cases::finds_rest(a)) {
+      d.first = kRestMovement * all.height * support_speed(w, 1.0);  // s of the histories
+      const double masses = std::accumulate(w.elements.inert.mass.begin(), w.elements.inert.mass.end(), 0.0);
+      sim.path().set(d.first, masses / (all.mass * g * w.dt * w.dt * support_speed(w, 1.0)));
+    }
     d.quiet = 0.5 * all.mass * std::pow(kQuiet * speed, 2);
     sim.program().set(d, {});
     return;
   }
   Shape shape;
-  double square = 0.0;  // of the stiffness of the spring: THEORY.md, section 11
+  double inertia = 0.0;  // of the path from one state of rest to the next
+  double square = 0.0;   // of the stiffness of the spring: THEORY.md, section 11
   if (a.kind == AnalysisKind::pushover && a.pattern == LoadPattern::mode) {
     shape = shape_of(modes, w, push, all.mass);
     square = square_of_masses(w, shape.displacement, g);
@@ -264,8 +270,10 @@ void choose_drive(Simulation& sim, const cases::Case& c) {
   d.stiffness = a.share.value_or(at_rest || a.kind == AnalysisKind::cyclic ? kCyclicShare : kShare) / d.compliance;
   const double margin = at_rest ? kSpringShare : kStepMargin;
   if (at_rest) square = relaxed_square(c, w, shape.displacement, g);
+  if (at_rest && square > 0.0) inertia = d.weight / (square * w.dt * w.dt);
   if (square > 0.0) d.stiffness = std::min(d.stiffness, margin * 4.0 / (w.dt * w.dt) * d.weight / square);
   d.first = (at_rest ? kRestFactor : kFirstFactor) * (d.compliance + 1.0 / d.stiffness);
+  if (at_rest) sim.path().set(d.first, inertia);
   sim.program().set(d, shape.displacement);
 }
 

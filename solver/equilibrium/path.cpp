@@ -4,23 +4,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace voussoir::solver {
 
 namespace {
 
-constexpr double kMostIterations = 100'000;                // for a point
-constexpr double kShortestRamp = 50, kLongestRamp = 5000;  // iterations
-constexpr double kRampPeriods = 0.25;                      // of the slowest motion in a ramp
-constexpr double kQuietGrowth = 1.5, kGrowth = 1.1;        // of the increment, if nothing was damaged, and else
-constexpr double kQuietStep = 2.5;                         // times Analysis::path_step, if nothing was damaged
-constexpr double kMostOfWay = 0.1;                         // of the way so far
-constexpr double kMuch = 2e-3;                             // of all bonds: so many at once and the increment is halved
-constexpr double kLeast = 0.1;                             // of the first increment
+constexpr double kMostIterations = 100'000;                  // for a point
+constexpr double kShortestRamp = 50, kLongestRamp = 20'000;  // iterations
+constexpr double kRampPeriods = 0.25;                        // of the slowest motion in a ramp
+constexpr double kInertia = 0.5, kLeastFactor = 0.02;        // of a step of the load factor: what inertia may bear in a ramp
+constexpr double kQuietGrowth = 1.5, kGrowth = 1.1;          // of the increment, if nothing was damaged, and else
+constexpr double kQuietStep = 2.5;                           // times Analysis::path_step, if nothing was damaged
+constexpr double kMostOfWay = 0.1;                           // of the way so far
+constexpr double kFew = 5e-4;                                // of all bonds: so many that slip or break count as none
+constexpr double kMuch = 2e-3;                               // of all bonds: so many that break at once and the increment is halved
+constexpr double kLeast = 0.1;                               // of the first increment
 
 }  // namespace
 
 Path::Path(const cases::Analysis& a) : tolerance_(a.tolerance), step_(a.path_step) {}
+
+double Path::pull() const noexcept {
+  if (state_.ramp_left <= 0.0) return 0.0;
+  return state_.increment / state_.ramp * (1.0 - std::cos(2.0 * std::numbers::pi * (state_.ramp_left - 0.5) / state_.ramp));
+}
 
 void Path::iterated() noexcept {
   state_.clock += pull();
@@ -35,24 +43,29 @@ bool Path::rests(double unbalanced) const noexcept {
 bool Path::is_lost() const noexcept { return state_.iterations > kMostIterations; }
 
 void Path::accept(const RestPoint& p, double period) {
-  const double damaged = static_cast<double>(p.damaged) - state_.damaged, change = std::abs(p.factor - state_.factor);
+  const auto broken = static_cast<double>(p.broken), slipped = static_cast<double>(p.slipped), bonds = static_cast<double>(p.bonds);
+  const double breaks = broken - state_.broken, slips = std::max(0.0, slipped - state_.slipped),
+               change = std::abs(p.factor - state_.factor);
   state_.most_factor = std::max(state_.most_factor, std::abs(p.factor));
   double next = state_.increment;
   if (state_.points == 0.0) {
     next = state_.first;
   } else {
-    const bool quiet = damaged <= 0.0;
+    const bool quiet = breaks + slips <= kFew * bonds;
     const double most = step_ * (quiet ? kQuietStep : 1.0) * state_.most_factor;
     double growth = quiet ? kQuietGrowth : kGrowth;
     if (change > 0.0) growth = std::min(growth, std::max(0.5, most / change));
-    if (damaged > kMuch * static_cast<double>(p.bonds)) growth = std::min(growth, 0.5);
+    if (breaks > kMuch * bonds) growth = std::min(growth, 0.5);
     next = std::clamp(growth * next, kLeast * state_.first, std::max(state_.first, kMostOfWay * p.done));
   }
   state_.increment = std::min(next, p.left);
-  state_.ramp = std::clamp(std::round(kRampPeriods * period), kShortestRamp, kLongestRamp);
+  // So that what speeds up the masses is small against a step of the load factor.
+  const double bearable = kInertia * step_ * std::max(state_.most_factor, kLeastFactor);
+  const double slow = std::sqrt(2.0 * std::numbers::pi * state_.increment * state_.inertia / bearable);
+  state_.ramp = std::round(std::clamp(std::max(kRampPeriods * period, slow), kShortestRamp, kLongestRamp));
   state_.ramp_left = state_.ramp;
   state_.iterations = 0.0;
-  state_.factor = p.factor, state_.damaged = static_cast<double>(p.damaged);
+  state_.factor = p.factor, state_.broken = broken, state_.slipped = slipped;
   state_.points += 1.0;
 }
 

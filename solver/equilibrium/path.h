@@ -14,7 +14,8 @@ namespace voussoir::solver {
 struct RestPoint {
   double factor = 0.0;       // load factor
   double done = 0.0;         // the way of the moving end so far, all ways counted
-  std::int64_t damaged = 0;  // segment sides that have slipped or broken
+  std::int64_t broken = 0;   // segment sides
+  std::int64_t slipped = 0;  // likewise, that still hold
   std::int64_t bonds = 0;    // segment sides with a bond at the start
   double left = 1e300;       // of the way, until the end or a reversal
 };
@@ -23,12 +24,14 @@ class Path {
  public:
   Path() = default;
   explicit Path(const cases::Analysis& a);
-  /// Begins at rest under dead loads. \param first  way of the moving end from there to the next point
-  void begin(double first) noexcept { state_ = {.first = first}; }
+  /// \param first  way of the moving end from rest under dead loads to the next point
+  /// \param inertia  load factor that the fictitious masses add while the moving end speeds up by 1 m (supports: by 1 s of their clock) an
+  /// iteration, per iteration
+  void set(double first, double inertia) noexcept { state_.first = first, state_.inertia = inertia; }
 
   /// Way of the moving end in the next iteration, 0 while the structure relaxes.
-  [[nodiscard]] double pull() const noexcept { return state_.ramp_left > 0.0 ? state_.increment / state_.ramp : 0.0; }
-  /// After an iteration. \param damaged  as in RestPoint
+  [[nodiscard]] double pull() const noexcept;
+  /// After an iteration.
   void iterated() noexcept;
   [[nodiscard]] bool rests(double unbalanced) const noexcept;
   /// Whether there is no state of rest within reach.
@@ -44,13 +47,13 @@ class Path {
  private:
   friend struct FieldTable;
   struct State {                         // doubles only, see LoadProgram::State
-    double first = 0.0;                  // see begin()
+    double first = 0.0, inertia = 0.0;   // see set()
     double increment = 0.0;              // way to the point ahead
     double ramp = 1.0, ramp_left = 0.0;  // iterations in which it goes there; left of them
     double iterations = 0.0;             // for the point ahead so far
     double points = 0.0;                 // accepted
     double clock = 0.0;
-    double factor = 0.0, most_factor = 0.0, damaged = 0.0;  // at the last point; largest so far
+    double factor = 0.0, most_factor = 0.0, broken = 0.0, slipped = 0.0;  // at the last point; largest so far
   };
 
   double tolerance_ = 0.0, step_ = 0.0;

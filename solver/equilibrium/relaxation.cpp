@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <string>
 
 #include "solver/equilibrium/masses.h"
 
@@ -34,14 +32,6 @@ double mean_weight(const cases::Case& c, const World& w) {
   return all / std::max(count, 1.0);
 }
 
-int experiment() {
-  static const int k = [] {
-    const char* e = std::getenv("VOUSSOIR_RELAX");
-    return e == nullptr ? 0 : std::atoi(e);
-  }();
-  return k;
-}
-
 }  // namespace
 
 cases::Case without_rates(const cases::Case& c) {
@@ -68,10 +58,6 @@ Relaxation::Sums Relaxation::look_at(World& w, std::size_t i, Vec3 acceleration)
   const Vec3 f{r[0], r[1], r[2]}, t{r[3], r[4], r[5]};
   const Vec3 v = at(e.vx, e.vy, e.vz, i), spin = at(e.wx, e.wy, e.wz, i), l = at(e.lx, e.ly, e.lz, i);
   const double moment = turn > 0.0 ? norm(t) / e.radius[i] : 0.0;
-  if (experiment() == 2) {
-    const auto brake = [&](double& x, double speed) { x -= 0.8 * std::abs(x) * (speed > 0.0 ? 1.0 : speed < 0.0 ? -1.0 : 0.0); };
-    brake(r[0], v.x), brake(r[1], v.y), brake(r[2], v.z), brake(r[3], spin.x), brake(r[4], spin.y), brake(r[5], spin.z);
-  }
   return {dot(f, v) + dot(t, spin), mass * dot(f, f) + turn * dot(t, t), dot(v, v) / mass + dot(l, spin), std::max(norm(f), moment)};
 }
 
@@ -103,18 +89,7 @@ void Relaxation::look(World& w, Vec3 acceleration) {
   const Sums s = all_of(w, acceleration);
   state_.unbalanced = s.most / typical_;
   if (s.kinetic > 0.0) state_.frequency = std::sqrt(std::max(0.0, (state_.power - s.power) / (w.dt * s.kinetic)));
-  double alpha = std::min(2.0 * state_.frequency, kMostDamping / w.dt);
-  if (experiment() != 0) alpha = 0.0;
-  if (experiment() == 1) {
-    static double last = 0.0;
-    if (s.kinetic < last) {
-      Elements& e = w.elements;
-      for (Array<double>* a : {&e.vx, &e.vy, &e.vz, &e.lx, &e.ly, &e.lz, &e.wx, &e.wy, &e.wz}) std::fill(a->begin(), a->end(), 0.0);
-      last = 0.0;
-    } else {
-      last = s.kinetic;
-    }
-  }
+  const double alpha = std::min(2.0 * state_.frequency, kMostDamping / w.dt);  // critical for it
   const double a = 0.5 * alpha * w.dt;
   state_.power = ((1.0 - a) * s.power + w.dt * s.square) / (1.0 + a);
   std::fill(w.elements.alpha.begin(), w.elements.alpha.end(), alpha);

@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <span>
 #include <vector>
 
+#include "cases/ties.h"
 #include "solver/run/run.h"
 
 /// What a run tells its Recorder.
@@ -16,14 +20,58 @@ class Reporter {
 
   void frame() { take_frame(), tell_frame(); }
   /// Copies poses, to be told of later if they turn out to be a state of rest.
-  void take_frame();
+  void take_frame() {
+    frame_time_ = sim_.time();
+    const World& w = sim_.world();
+    const Elements& e = w.elements;
+    const auto n = static_cast<std::size_t>(e.count);
+    displacement_.resize(3 * n), quaternion_.resize(4 * n), broken_.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto put = [i](std::vector<float>& to, std::initializer_list<double> v) {
+        std::size_t k = v.size() * i;
+        for (const double x : v) to[k++] = static_cast<float>(x);
+      };
+      put(displacement_, {e.ux[i], e.uy[i], e.uz[i]});
+      put(quaternion_, {e.qw[i], e.qx[i], e.qy[i], e.qz[i]});
+      broken_[i] = e.bonds_at_start[i] > 0 ? 1.0F - static_cast<float>(e.bonds[i]) / static_cast<float>(e.bonds_at_start[i]) : 0.0F;
+    }
+  }
   void tell_frame() { out_.frame({frame_time_, displacement_, quaternion_, broken_}); }
-  void samples(double time);
-  void ledger(double time);
-  void cracks();
+
+  void samples(double time) {
+    ties(time);
+    out_.history(time, sim_.history());
+    const ForcesRow& f = sim_.forces();
+    state_.peak_base_shear = std::max(state_.peak_base_shear, std::hypot(f.base_shear.x, f.base_shear.y));
+  }
+
+  void ledger(double time) {
+    out_.energy(sim_.energy());
+    const Damage& d = sim_.damage();
+    out_.damage({time, d.bonded, d.slipped, d.tension, d.shear, d.compression, first_limits(sim_.world())});
+    cracks();
+  }
+
+  void cracks() {
+    if (sim_.cracks().empty()) return;
+    cracks_.clear();
+    cracks_.swap(sim_.cracks());  // taken out first, so that a recorder that throws is not told them twice
+    for (const CrackRow& r : cracks_) {
+      if (state_.first_crack < 0.0 && r.time >= 0.0) state_.first_crack = r.time;
+      if (state_.settling_crack == 0.0 && r.time < 0.0) state_.settling_crack = r.time;
+    }
+    out_.cracks(cracks_);
+  }
 
  private:
-  void ties(double time);
+  void ties(double time) {
+    const std::size_t own = cases::own_ties(sim_.world().model);
+    if (own == 0) return;
+    ties_.clear();
+    for (const kernels::TieState& s : std::span(sim_.world().ties.state).first(own))
+      ties_.push_back({s.force, s.elongation, s.plastic, s.broken != 0});
+    out_.ties(time, ties_);
+  }
 
   Simulation& sim_;
   RunState& state_;

@@ -182,7 +182,7 @@ void Simulation::accept_rest() {
     p.done = path_.clock(), p.left = program_.last_support() - path_.clock();
     if (p.left <= 0.0) program_.end_at(step_);
   }
-  p.damaged = damage_.slipped + damage_.tension + damage_.shear + damage_.compression;
+  p.broken = damage_.tension + damage_.shear + damage_.compression, p.slipped = damage_.slipped;
   for (const std::int32_t bonds : w.elements.bonds_at_start) p.bonds += bonds;
   const double per_step = relaxation_.frequency() * w.dt;
   path_.accept(p, 2.0 * std::numbers::pi / std::max(per_step, 1e-6));
@@ -390,7 +390,6 @@ void Simulation::start_shaking() {
   start_cycles(*world_);
   ledger_.restart(*world_);
   program_.begin(*world_);
-  path_.begin(program_.drive().first);
   for (std::size_t k = 0; k < followed_.size(); ++k) {
     const auto i = static_cast<std::size_t>(followed_[k]);
     start_[k] = {e.ux[i], e.uy[i], e.uz[i]};

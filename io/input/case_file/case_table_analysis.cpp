@@ -112,6 +112,19 @@ bool a_support_moves(const Case& c) {
   return std::ranges::any_of(c.blocks, moves) || (c.base && std::ranges::any_of(c.base->parts, moves));
 }
 
+/// States of rest know of no time, and neither may what acts on them.
+void check_time(const Case& c, const RuleCheck& check) {
+  const char* why = "has no meaning with analysis.solver = \"equilibrium\", which has no time";
+  for (std::size_t i = 0; i < c.loads.size(); ++i) {
+    if (c.loads[i].history) check.fault(path_to("load", i) + ".history", why);
+    if (c.loads[i].ramp != Load{}.ramp) check.fault(path_to("load", i) + ".ramp", why);
+  }
+  for (std::size_t i = 0; i < c.blocks.size(); ++i) {
+    if (c.blocks[i].velocity != Vec3{}) check.fault(path_to("block", i) + ".velocity", why);
+    if (c.blocks[i].angular_velocity != Vec3{}) check.fault(path_to("block", i) + ".angular_velocity", why);
+  }
+}
+
 }  // namespace
 
 void check_analysis(const Case& c, const RuleCheck& check) {
@@ -130,6 +143,7 @@ void check_analysis(const Case& c, const RuleCheck& check) {
   if (!given && grow) check.fault("analysis.kind", "has no use for a [[load]] with grows = true");
   if (a.kind == AnalysisKind::settlement && !a_support_moves(c))
     check.fault("analysis.kind", "needs a fixed block with [block.motion] or a [[base.part]] with motion, which moves");
+  if (finds_rest(a)) check_time(c, check);
   const bool by_weight = a.kind == AnalysisKind::tilt || (a.kind == AnalysisKind::pushover && !given);
   if (by_weight && norm(c.gravity.acceleration) == 0.0)
     check.fault("analysis.kind", "needs gravity: its load factor is a share of the weight");

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/analysis/drive.h"
 #include "solver/run/simulation.h"
 #include "tests/solver/small_wall.h"
 
@@ -26,6 +27,7 @@ std::set<StepStage> follow(const cases::Case& c, solver::Options o, int steps) {
   const cases::Model m = cases::build_model(c);
   const cases::GroundMotion g = strong_shaking();
   solver::Simulation sim(c, m, g, o);
+  solver::choose_drive(sim, c);
   std::vector<StepStage> stages;
   std::set<StepStage> seen;
   sim.world().log.write_to(&stages);
@@ -68,6 +70,9 @@ TEST_CASE("step: steps go through the stages of the list, in its order, and thro
   c.gravity.settle = true;
   c.time.multirate = 2;
   seen.merge(follow(c, o, 400));
+  c.time.multirate = 1;
+  c.analysis.kind = cases::AnalysisKind::tilt, c.analysis.solver = cases::Solver::equilibrium;
+  seen.merge(follow(c, o, 20));
   for (const solver::StepStageEntry& e : solver::kStepStages) {
     CAPTURE(std::string(e.function));
     CHECK(seen.contains(e.stage));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "io/output/measures/capacity/capacity.h"
@@ -33,6 +34,7 @@ class AssessmentRows final : public solver::Recorder {
     curve.time.push_back(r.time), curve.factor.push_back(r.factor), curve.displacement.push_back(r.displacement);
     curve.drift.push_back(r.drift), curve.moved.push_back(r.moved), curve.base_shear.push_back(r.base_shear);
     curve.support_moved.push_back(r.support_moved), curve.over.push_back(r.over);
+    if (!std::isnan(r.unbalanced)) curve.unbalanced.push_back(r.unbalanced);
   }
 
   io::CapacityCurve curve;

@@ -78,6 +78,15 @@ TEST_CASE("analysis: what does not go together is refused, with line, key and wh
   CHECK(refusal(analysis("pace = 2.0")).starts_with("test.toml:2: analysis.pace = 2 s: goes only with a kind other than \"time-history\""));
   CHECK(refusal(analysis("kind = \"tilt\"\npattern = \"mode\""))
             .starts_with("test.toml:3: analysis.pattern = \"mode\": goes only with kind = \"pushover\""));
+  const std::string at_rest = "kind = \"tilt\"\nsolver = \"equilibrium\"\n";
+  CHECK(refusal(analysis(at_rest + "tolerance = 1e-3\npath_step = 0.01")) == "accepted");
+  CHECK(refusal(analysis("solver = \"equilibrium\"")).find("goes only with a kind other than \"time-history\"") != std::string::npos);
+  CHECK(refusal(analysis("kind = \"tilt\"\ntolerance = 1e-3")).find("goes only with solver = \"equilibrium\"") != std::string::npos);
+  CHECK(refusal(analysis("kind = \"tilt\"\npath_step = 0.1")).find("goes only with solver = \"equilibrium\"") != std::string::npos);
+  CHECK(refusal(analysis(at_rest + "pace = 2.0")).find("goes only with solver = \"dynamics\"") != std::string::npos);
+  CHECK(refusal(analysis(at_rest + "damping = 2.0")).find("goes only with solver = \"dynamics\"") != std::string::npos);
+  CHECK(refusal(kPushed.substr(0, kPushed.find("grows")) + "ramp = [0.0, 1.0]\n" + analysis(at_rest)).find("which has no time") !=
+        std::string::npos);
   CHECK(refusal(analysis("kind = \"tilt\"\ndrop = 1.0")).starts_with("test.toml:3: analysis.drop = 1: must be in (0, 1)"));
   CHECK(refusal(analysis("kind = \"tilt\"\ndirection = [0, 0]")).find("analysis.direction") != std::string::npos);
   CHECK(refusal(analysis("kind = \"tilt\"\ndirection = [0, 0]")).find("has no direction") != std::string::npos);
