@@ -56,7 +56,8 @@ void Path::accept(const RestPoint& p, double period) {
     double growth = quiet ? kQuietGrowth : kGrowth;
     if (change > 0.0) growth = std::min(growth, std::max(0.5, most / change));
     if (breaks > kMuch * bonds) growth = std::min(growth, 0.5);
-    next = std::clamp(growth * next, kLeast * state_.first, std::max(state_.first, kMostOfWay * p.done));
+    const double of_way = state_.most_factor > 0.0 ? kMostOfWay : step_;  // supports: where it falls is known no better than this
+    next = std::clamp(growth * next, kLeast * state_.first, std::max(state_.first, of_way * p.done));
   }
   state_.increment = std::min(next, p.left);
   // So that what speeds up the masses is small against a step of the load factor.

@@ -146,6 +146,11 @@ void look_at_work(Capacity& c, double weight) {
 /// Finds the last time at which the structure only followed its supports, with quiet kinetic energy.
 void look_at_fall(Capacity& c, double quiet) {
   const CapacityCurve& r = c.curve;
+  if (!r.unbalanced.empty()) {  // the last state of rest
+    c.unbalanced = *std::ranges::max_element(r.unbalanced);
+    if (r.over.back() == kLost) c.collapse_movement = r.support_moved.back(), c.collapse_time = r.time.back();
+    return;
+  }
   std::size_t i = r.time.size();
   while (i > 0 && r.kinetic[i - 1] > quiet) --i;
   if (i == 0 || i == r.time.size()) return;
