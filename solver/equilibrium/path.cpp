@@ -13,7 +13,8 @@ namespace {
 constexpr double kMostIterations = 100'000;                  // for a point
 constexpr double kShortestRamp = 50, kLongestRamp = 20'000;  // iterations
 constexpr double kRampPeriods = 0.25;                        // of the slowest motion in a ramp
-constexpr double kInertia = 0.5, kLeastFactor = 0.02;        // of a step of the load factor: what inertia may bear in a ramp
+constexpr double kInertia = 0.5;                             // of a step of the load factor: what inertia may bear in a ramp
+constexpr double kFirstInertia = 2.5e-3;                     // of the weight, likewise, before there is a load factor
 constexpr double kQuietGrowth = 1.5, kGrowth = 1.1;          // of the increment, if nothing was damaged, and else
 constexpr double kQuietStep = 2.5;                           // times Analysis::path_step, if nothing was damaged
 constexpr double kMostOfWay = 0.1;                           // of the way so far
@@ -61,7 +62,7 @@ void Path::accept(const RestPoint& p, double period) {
   }
   state_.increment = std::min(next, p.left);
   // So that what speeds up the masses is small against a step of the load factor.
-  const double bearable = kInertia * step_ * std::max(state_.most_factor, kLeastFactor);
+  const double bearable = state_.most_factor > 0.0 ? kInertia * step_ * state_.most_factor : kFirstInertia;
   const double slow = std::sqrt(2.0 * std::numbers::pi * state_.increment * state_.inertia / bearable);
   state_.ramp = std::round(std::clamp(std::max(kRampPeriods * period, slow), kShortestRamp, kLongestRamp));
   state_.ramp_left = state_.ramp;

@@ -182,7 +182,10 @@ class Plan {
     const bool settling = !state_.shaking, last = !settling && sim_.steps() == last_;
     if (state_.steps % kTickInterval != 0 && !last) return true;
     report_.cracks();
-    return tick_({sim_.time(), end_, settling, state_.steps, broken(sim_.damage()), sim_.energy().residual, last});
+    RunStatus s{sim_.time(), end_, settling, state_.steps, broken(sim_.damage()), sim_.energy().residual, last};
+    if (sim_.relaxation().on())
+      s.states = sim_.path().points(), s.factor = sim_.program().factor(), s.unbalanced = sim_.relaxation().unbalanced();
+    return tick_(s);
   }
 
   Simulation& sim_;

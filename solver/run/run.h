@@ -30,10 +30,12 @@ struct RunState {
 struct RunStatus {
   double time = 0.0, end = 0.0;  // s, of the next step
   bool settling = false;
-  std::int64_t step = 0;    // since the beginning of the run
-  std::int64_t broken = 0;  // segment sides
-  double residual = 0.0;    // of the last energy row
-  bool last = false;        // only the last step remains
+  std::int64_t step = 0;                  // since the beginning of the run
+  std::int64_t broken = 0;                // segment sides
+  double residual = 0.0;                  // of the last energy row
+  bool last = false;                      // only the last step remains
+  std::int64_t states = -1;               // of rest so far; -1: the run has none
+  double factor = 0.0, unbalanced = 0.0;  // load factor; how far from rest: of runs with states of rest
 };
 
 /// Called before the first step, every few steps, and before the last. All rows so far are with the recorder, so simulation and RunState

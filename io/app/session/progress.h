@@ -15,8 +15,10 @@ struct ProgressState {
   double end_time = 0;  // s
   bool settling = false;
   std::int64_t step = 0;
-  std::int64_t broken = 0;  // number of broken segments
-  double residual = 0;      // relative residual of the energy balance
+  std::int64_t broken = 0;            // number of broken segments
+  double residual = 0;                // relative residual of the energy balance
+  std::int64_t states = -1;           // of rest so far; -1: the run has none
+  double factor = 0, unbalanced = 0;  // load factor, and how far from rest
 };
 
 /// Speed of the run over about the last ten seconds, with decaying memory since it changes during a collapse.

@@ -123,7 +123,7 @@ class Watch {
   /// Called after each step. \return false to stop
   bool look(const solver::RunStatus& s) {
     const double now = wall();
-    progress_.update({s.time, s.end, s.settling, s.step, s.broken, s.residual}, now);
+    progress_.update({s.time, s.end, s.settling, s.step, s.broken, s.residual, s.states, s.factor, s.unbalanced}, now);
     if (settling_ && !s.settling) warn_of_settling();
     settling_ = s.settling;
     const bool stop = stop_signal != 0;
