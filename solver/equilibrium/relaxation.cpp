@@ -11,6 +11,7 @@ namespace voussoir::solver {
 
 namespace {
 
+constexpr double kOnTheWay = 0.1;               // of the critical damping
 constexpr double kMostDamping = 1.8;            // α Δt
 constexpr std::int64_t kElementsAtATime = 256;  // that a thread takes
 
@@ -81,7 +82,7 @@ Relaxation::Sums Relaxation::all_of(World& w, Vec3 acceleration) {
   return all;
 }
 
-void Relaxation::look(World& w, Vec3 acceleration) {
+void Relaxation::look(World& w, Vec3 acceleration, bool on_the_way) {
   if (patches_ != w.patches.patch.size()) {
     find_inert_masses(w);
     patches_ = w.patches.patch.size();
@@ -89,7 +90,8 @@ void Relaxation::look(World& w, Vec3 acceleration) {
   const Sums s = all_of(w, acceleration);
   state_.unbalanced = s.most / typical_;
   if (s.kinetic > 0.0) state_.frequency = std::sqrt(std::max(0.0, (state_.power - s.power) / (w.dt * s.kinetic)));
-  const double alpha = std::min(2.0 * state_.frequency, kMostDamping / w.dt);  // critical for it
+  const double share = on_the_way ? kOnTheWay : 1.0;  // critical for it, but where damping would bear a part of the load
+  const double alpha = share * std::min(2.0 * state_.frequency, kMostDamping / w.dt);
   const double a = 0.5 * alpha * w.dt;
   state_.power = ((1.0 - a) * s.power + w.dt * s.square) / (1.0 + a);
   std::fill(w.elements.alpha.begin(), w.elements.alpha.end(), alpha);

@@ -24,7 +24,8 @@ class Relaxation {
   [[nodiscard]] bool on() const noexcept { return on_; }
   /// Before the kick, when the rows have all forces but weights: adds the weights under the acceleration [m/s2], measures how far the
   /// structure is from rest and sets the mass damping of the step.
-  void look(World& w, Vec3 acceleration);
+  /// \param on_the_way  the load still goes on to the next point
+  void look(World& w, Vec3 acceleration, bool on_the_way);
 
   /// Largest unbalanced force over the mean weight of an element, or moment over that and the element's radius, in the last step.
   [[nodiscard]] double unbalanced() const noexcept { return state_.unbalanced; }

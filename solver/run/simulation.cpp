@@ -170,7 +170,8 @@ void Simulation::apply_loads() {
 /// What a relaxation does beside the loads of a case.
 void Simulation::relax() {
   const double t = static_cast<double>(step_) * world_->dt;
-  relaxation_.look(*world_, phase_ == Phase::settling ? gravity_at(t) : gravity_at(t) + program_.acceleration());
+  relaxation_.look(*world_, phase_ == Phase::settling ? gravity_at(t) : gravity_at(t) + program_.acceleration(),
+                   phase_ == Phase::shaking && path_.pull() > 0.0);
   if (phase_ == Phase::shaking) path_.iterated();
 }
 
