@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "cases/analysis.h"
+#include "cases/tables/analysis.h"
 
 /// The path of a quasi-static analysis from one state of rest to the next (kernels/THEORY.md, section 13): how far the moving end, or the
 /// clock of the supports, goes on, and when the structure rests.
