@@ -71,6 +71,18 @@ TEST_CASE("capacity: the elastic branch of NTC goes through the curve at 0.7 of 
   CHECK(got.ec8.force == doctest::Approx(1e4));
 }
 
+TEST_CASE("capacity: of states of rest nothing is borne by motion, and the worst of them is told") {
+  CapacityCurve c = trilinear(7e-3);
+  CHECK(std::isnan(capacity_of(cases::AnalysisKind::pushover, 0.2, kPace, kWeight, 0.0, c).unbalanced));
+  c.unbalanced.assign(c.time.size(), 1e-5), c.unbalanced[40] = 9e-5;
+  const Capacity got = capacity_of(cases::AnalysisKind::pushover, 0.2, kPace, kWeight, 0.0, c);
+  CHECK(got.multiplier_at_rest == got.multiplier);
+  CHECK(got.multiplier == 0.1 + 1e-6);
+  CHECK(got.motion_share == 0.0);
+  CHECK(got.kinetic_share == 0.0);
+  CHECK(got.unbalanced == 9e-5);
+}
+
 TEST_CASE("capacity: what is not reached is none") {
   const Capacity c = capacity_of(cases::AnalysisKind::pushover, 0.2, kPace, kWeight, 0.0, trilinear(4e-3));
   CHECK(std::isnan(c.ultimate_displacement));
