@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <limits>
 #include <numbers>
-#include <utility>
 
 #include "cases/case.h"
 #include "cases/loads/gravity.h"
