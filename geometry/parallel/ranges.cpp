@@ -6,6 +6,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <new>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -21,6 +22,7 @@ void on_threads(std::size_t threads, const Work& work) {
   try {
     while (hired.size() + 1 < threads) hired.emplace_back(work);
   } catch (const std::system_error&) {  // those that there are do all of it
+  } catch (const std::bad_alloc&) {
   }
   work();
   for (std::thread& t : hired) t.join();

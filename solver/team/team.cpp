@@ -4,6 +4,7 @@
 
 #include <omp.h>
 
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -62,6 +63,8 @@ void Team::hire(int threads) {
       hired_.emplace_back([this, thread] { serve(thread); });
     }
   } catch (const std::system_error&) {
+    return;
+  } catch (const std::bad_alloc&) {
     return;
   }
 }

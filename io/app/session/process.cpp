@@ -77,6 +77,8 @@ int threads_given(int wanted, std::string& why) {
     while (static_cast<int>(given.size()) < wanted) given.emplace_back([&] { go.wait(false); });
   } catch (const std::system_error& e) {
     why = e.code().message();
+  } catch (const std::bad_alloc&) {
+    why = "out of memory";
   }
   go = true;
   go.notify_all();

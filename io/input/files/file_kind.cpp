@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/input/files/output_path.h"
+#include "io/input/files/sealed_pages.h"
 #include "io/input/files/text_file.h"
 
 namespace voussoir::io {
@@ -84,7 +85,7 @@ bool is_of_kind(FileKind kind, std::string_view head) {
     case FileKind::xdmf:
       return begins_with_element(head, "<Xdmf");
     case FileKind::hdf5:
-      return head.starts_with("\x89HDF\r\n");
+      return head.starts_with("\x89HDF\r\n") || head.starts_with(kSealedHdf5);
     case FileKind::manual:
       return head.starts_with(".TH ") || head.starts_with(".\\\"");
   }

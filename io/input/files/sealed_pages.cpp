@@ -17,7 +17,6 @@ namespace {
 
 constexpr std::uint64_t kPage = 4096;
 constexpr std::uint64_t kPieceBytes = 256 * kPage;  // of a file in memory at a time
-constexpr const char* kKind = "voussoir sealed HDF5 1\n";
 
 std::uint64_t pages_of(std::uint64_t contents) { return (contents + kPage - 1) / kPage; }
 
@@ -38,7 +37,7 @@ std::uint32_t digest_at(const char* from) {
 std::string head_of(std::uint64_t contents, std::uint32_t seal) {
   std::array<char, kSealBytes + 1> text{};
   std::snprintf(text.data(), text.size(),
-                "%s%llu bytes of HDF5 follow this header of %zu, then the CRC-32 of each %llu of them\nCRC-32 of these %08x\n", kKind,
+                "%s%llu bytes of HDF5 follow this header of %zu, then the CRC-32 of each %llu of them\nCRC-32 of these %08x\n", kSealedHdf5,
                 static_cast<unsigned long long>(contents), kSealBytes, static_cast<unsigned long long>(kPage), seal);
   std::string head(text.data());
   head.resize(kSealBytes, '\n');
@@ -104,8 +103,8 @@ void PagedFile::read_head(std::uint64_t size) {
   if (head.starts_with(kHdf5) || head.starts_with("voussoir checkpoint ")) return;
   if (head.empty()) throw DamagedFile(path_, "is empty");
   unsigned long long contents = 0;
-  if (!head.starts_with(kKind)) throw DamagedFile(path_, "is no HDF5 file, or its first bytes are damaged");
-  const int found = std::sscanf(head.c_str() + std::strlen(kKind),
+  if (!head.starts_with(kSealedHdf5)) throw DamagedFile(path_, "is no HDF5 file, or its first bytes are damaged");
+  const int found = std::sscanf(head.c_str() + std::strlen(kSealedHdf5),
                                 "%llu bytes of HDF5 follow this header of %*u, then the CRC-32 of each %*u of them CRC-32 of these %x",
                                 &contents, &seal_);
   // Writing the header again checks all of its bytes.

@@ -19,6 +19,9 @@
 /// and HDF5's own structure, which could otherwise make it crash or loop. HDF5's tools read the file as it is.
 namespace voussoir::io {
 
+/// Start of the header.
+inline constexpr const char* kSealedHdf5 = "voussoir sealed HDF5 1\n";
+
 /// Adds header and digests to a complete HDF5 file that was created with a head of kSealBytes. \throw FileError
 void seal_pages(const std::string& path);
 

@@ -81,7 +81,8 @@ TEST_CASE("limits: where memory ends, one line says what was done") {
     const Outcome o = voussoir(place.run("-j 1"), "ulimit -v " + std::to_string(kilobytes) + " && ");
     CAPTURE(kilobytes);
     CAPTURE(o.text);
-    if (o.code == 127) continue;  // of the system: its libraries do not fit
+    // Of the system: its libraries do not fit, or one of them (GnuTLS, which HDF5 brings) cannot start.
+    if (o.code == 127 || o.text.starts_with("Error in GnuTLS initialization")) continue;
     good += o.code == 0;
     if (o.code == 0) continue;
     CHECK(o.code == 3);
