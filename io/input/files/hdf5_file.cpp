@@ -188,6 +188,10 @@ bool Hdf5File::exists(const std::string& name) const {
   }
 }
 
+void Hdf5File::check_before_listing() const {
+  if (sealed_) hdf5::paged_file(handle_).check_all();
+}
+
 std::vector<std::string> Hdf5File::children(const std::string& group) const {
   const Doing doing{path_, "list", group};
   std::vector<std::string> names;
@@ -195,6 +199,7 @@ std::vector<std::string> Hdf5File::children(const std::string& group) const {
     static_cast<std::vector<std::string>*>(out)->emplace_back(name);
     return 0;
   };
+  check_before_listing();
   doing.check(H5Literate_by_name(handle_, group.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names, H5P_DEFAULT));
   return names;
 }

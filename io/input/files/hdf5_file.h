@@ -164,6 +164,8 @@ class Hdf5File {
   [[nodiscard]] std::map<std::string, std::vector<std::string>> attributes(const std::string& object) const;
 
  private:
+  /// Checks all pages of a sealed file: HDF5 1.10 crashes if a read fails while it lists the links of a group (H5G__link_release_table).
+  void check_before_listing() const;
   [[nodiscard]] const Hdf5File& source(const std::string& file) const;
 
   Hdf5File(std::string path, std::int64_t handle) : path_(std::move(path)), handle_(handle) {}

@@ -147,6 +147,7 @@ std::map<std::string, std::vector<std::string>> Hdf5File::attributes(const std::
     static_cast<std::vector<std::string>*>(out)->emplace_back(name);
     return 0;
   };
+  check_before_listing();
   hsize_t first = 0;
   doing.check(H5Aiterate_by_name(handle_, object.c_str(), H5_INDEX_NAME, H5_ITER_INC, &first, add, &names, H5P_DEFAULT));
   std::map<std::string, std::vector<std::string>> all;

@@ -127,6 +127,7 @@ std::vector<std::string> Hdf5File::datasets() const {
     if (info->type == H5O_TYPE_DATASET) static_cast<Visit*>(out)->datasets.push_back(std::string("/") + name);
     return 0;
   };
+  check_before_listing();
   doing.check(H5Ovisit2(handle_, H5_INDEX_NAME, H5_ITER_INC, add, &all, H5O_INFO_BASIC));
   std::ranges::sort(all.datasets);
   return all.datasets;

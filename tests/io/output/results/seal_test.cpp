@@ -77,6 +77,38 @@ TEST_CASE("no damaged byte changes what is read from a sealed file") {
   CHECK(refused > 1000);
 }
 
+// HDF5 1.10 crashes if a read fails while it lists a group of many links or an object of many attributes.
+TEST_CASE("lists of a file with a damaged page are refused") {
+  const TempFolder dir;
+  const std::string path = dir.file("run.h5");
+  Hdf5File file = Hdf5File::create(path, kSealBytes);
+  file.set_attribute("/", "schema_version", std::int64_t{6});
+  for (int k = 0; k < 100; ++k) {
+    file.write_dataset("/group/number " + std::to_string(k), Hdf5Type::f64, {3}, kValues.data());
+    file.set_attribute("/group", "a note of some length, number " + std::to_string(k), std::int64_t{k});
+  }
+  file.close();
+  seal_pages(path);
+  const std::string right = contents_of(path);
+  CHECK(open_run(path).datasets().size() == 100);
+  for (std::size_t at = kSealBytes; at + 4096 < right.size(); at += 4096) {
+    std::string wrong = right;
+    wrong[at + 100] = static_cast<char>(wrong[at + 100] ^ 0x10);
+    write(path, wrong);
+    const auto refuses = [&](auto&& list) {
+      try {
+        list(open_run(path));
+        return false;
+      } catch (const DamagedFile&) {
+        return true;
+      }
+    };
+    CHECK(refuses([](const Hdf5File& run) { return run.datasets(); }));
+    CHECK(refuses([](const Hdf5File& run) { return run.children("/group"); }));
+    CHECK(refuses([](const Hdf5File& run) { return run.attributes("/group"); }));
+  }
+}
+
 TEST_CASE("a fault names file and dataset; what is not read is not checked") {
   const TempFolder dir;
   const std::string path = sealed(dir);
