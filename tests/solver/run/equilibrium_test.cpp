@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 #include <vector>
 
-#include "solver/analysis/drive.h"
-#include "solver/run/run.h"
-#include "solver/state/saved_state.h"
+#include "tests/solver/interrupted_analysis.h"
 #include "tests/solver/small_wall.h"
 
 // States of rest of a small wall: same bits in any way to run them, a curve that depends on no tolerance, nothing that depends on a rate.
@@ -46,37 +45,8 @@ cases::Case pushed_wall(cases::AnalysisKind kind) {
   return c;
 }
 
-struct Outcome {
-  Rows out;
-  solver::SavedState state;
-};
-
-/// A run by some numbers of threads in turn, stopped after so many steps and gone on with from its state.
-Outcome run(const cases::Case& c, std::set<std::int64_t> stops = {}, const std::vector<int>& threads = {1}) {
-  const cases::Model m = cases::build_model(c);
-  Outcome result;
-  for (std::size_t leg = 0;; ++leg) {
-    solver::Options o;
-    o.threads = threads[leg % threads.size()];
-    solver::Simulation sim(c, m, {}, o);
-    solver::RunState plan;
-    leg == 0 ? solver::choose_drive(sim, c) : solver::restore(sim, plan, result.state);
-    const auto go_on = [&](const solver::RunStatus& s) {
-      if (stops.empty() || s.step < *stops.begin()) return true;
-      stops.erase(stops.begin());
-      return false;
-    };
-    const solver::RunResult r = solver::run(sim, plan, c, c.end(), result.out, go_on);
-    result.state = solver::save(sim, plan);
-    if (!r.stopped) return result;
-  }
-}
-
-std::string difference(const solver::SavedState& a, const solver::SavedState& b) {
-  std::string names;
-  REQUIRE(a.size() == b.size());
-  for (const auto& [name, f] : a) names += f.bytes != b.at(name).bytes ? name + " " : "";
-  return names;
+Outcome<Rows> run(const cases::Case& c, std::set<std::int64_t> stops = {}, const std::vector<int>& threads = {1}) {
+  return run_in_legs<Rows>(c, std::move(stops), threads);
 }
 
 }  // namespace
@@ -84,7 +54,7 @@ std::string difference(const solver::SavedState& a, const solver::SavedState& b)
 TEST_CASE("equilibrium: the same bits with any number of threads and any stops; each row is a state of rest with a frame") {
   for (const auto kind : {cases::AnalysisKind::pushover, cases::AnalysisKind::tilt}) {
     const cases::Case c = pushed_wall(kind);
-    const Outcome straight = run(c);
+    const Outcome<Rows> straight = run(c);
     CHECK(straight.out.broken > 0);
     REQUIRE(straight.out.rows.size() > 30);
     CHECK(straight.out.rows.back().over == 1.0);
@@ -93,7 +63,7 @@ TEST_CASE("equilibrium: the same bits with any number of threads and any stops; 
       CHECK(std::ranges::binary_search(straight.out.frames, r.time));
     }
     for (const solver::EnergyRow& e : straight.out.energies) CHECK(e.residual < 1e-3);
-    const Outcome stopped = run(c, {900, 5000, 20000}, {2, 1});
+    const Outcome<Rows> stopped = run(c, {900, 5000, 20000}, {2, 1});
     CHECK(difference(straight.state, stopped.state) == "");
     CHECK(straight.out.rows.size() == stopped.out.rows.size());
   }
@@ -111,7 +81,7 @@ TEST_CASE("equilibrium: the peak depends neither on the tolerance nor on the ste
 TEST_CASE("equilibrium: dashpots, restitution and mass damping of the case change no bit") {
   cases::Case c = pushed_wall(cases::AnalysisKind::pushover);
   c.analysis.largest_factor = 0.1;
-  const Outcome plain = run(c);
+  const Outcome<Rows> plain = run(c);
   c.contact.damping = 0.1, c.damping.alpha = 30.0;
   CHECK(difference(plain.state, run(c).state) == "");
 }

@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 #include <vector>
 
-#include "solver/analysis/drive.h"
-#include "solver/run/run.h"
-#include "solver/state/saved_state.h"
+#include "tests/solver/interrupted_analysis.h"
 #include "tests/solver/small_wall.h"
 
 // Quasi-static analyses of a small wall: same bits in any way to run them, work in the ledger, no swing of the spring's own.
@@ -48,37 +47,8 @@ cases::Case pushed_wall(cases::AnalysisKind kind) {
   return c;
 }
 
-struct Outcome {
-  Rows out;
-  solver::SavedState state;
-};
-
-/// A run by some numbers of threads in turn, stopped after so many steps and gone on with from its state.
-Outcome run(const cases::Case& c, std::set<std::int64_t> stops = {}, const std::vector<int>& threads = {1}) {
-  const cases::Model m = cases::build_model(c);
-  Outcome result;
-  for (std::size_t leg = 0;; ++leg) {
-    solver::Options o;
-    o.threads = threads[leg % threads.size()];
-    solver::Simulation sim(c, m, {}, o);
-    solver::RunState plan;
-    leg == 0 ? solver::choose_drive(sim, c) : solver::restore(sim, plan, result.state);
-    const auto go_on = [&](const solver::RunStatus& s) {
-      if (stops.empty() || s.step < *stops.begin()) return true;
-      stops.erase(stops.begin());
-      return false;
-    };
-    const solver::RunResult r = solver::run(sim, plan, c, c.end(), result.out, go_on);
-    result.state = solver::save(sim, plan);
-    if (!r.stopped) return result;
-  }
-}
-
-std::string difference(const solver::SavedState& a, const solver::SavedState& b) {
-  std::string names;
-  REQUIRE(a.size() == b.size());
-  for (const auto& [name, f] : a) names += f.bytes != b.at(name).bytes ? name + " " : "";
-  return names;
+Outcome<Rows> run(const cases::Case& c, std::set<std::int64_t> stops = {}, const std::vector<int>& threads = {1}) {
+  return run_in_legs<Rows>(c, std::move(stops), threads);
 }
 
 /// Work of the forces along the curve, and what the ledger says was put in, from the first row at time zero [J].
@@ -99,12 +69,12 @@ void check_work(const Rows& out) {
 
 TEST_CASE("a pushover has the same bits with any number of threads and any stops, and its work is in the ledger") {
   const cases::Case c = pushed_wall(cases::AnalysisKind::pushover);
-  const Outcome straight = run(c);
+  const Outcome<Rows> straight = run(c);
   CHECK(straight.out.broken > 0);
   CHECK(straight.out.rows.size() > 100);
   check_work(straight.out);
   for (const solver::EnergyRow& e : straight.out.energies) CHECK(e.residual < 1e-3);
-  const Outcome stopped = run(c, {900, 5000, 9000}, {2, 1});
+  const Outcome<Rows> stopped = run(c, {900, 5000, 9000}, {2, 1});
   CHECK(difference(straight.state, stopped.state) == "");
   CHECK(straight.out.rows.size() == stopped.out.rows.size());
 }
@@ -114,7 +84,7 @@ TEST_CASE("a tilt and a pushover by the first mode have the same bits across sto
     cases::Case c = pushed_wall(kind);
     c.analysis.longest = 0.4;
     if (kind == cases::AnalysisKind::pushover) c.analysis.pattern = cases::LoadPattern::mode;
-    const Outcome straight = run(c);
+    const Outcome<Rows> straight = run(c);
     if (kind == cases::AnalysisKind::pushover) check_work(straight.out);
     CHECK(difference(straight.state, run(c, {6000}, {2}).state) == "");
   }
@@ -123,7 +93,7 @@ TEST_CASE("a tilt and a pushover by the first mode have the same bits across sto
 TEST_CASE("an analysis ends once the base shear has dropped, not at its longest") {
   cases::Case c = pushed_wall(cases::AnalysisKind::pushover);
   c.analysis.longest = 20.0;
-  const Outcome r = run(c);
+  const Outcome<Rows> r = run(c);
   CHECK(r.out.rows.back().over == 1.0);
   CHECK(r.out.rows.back().time < 19.0);
   CHECK(r.out.rows.back().time == r.out.energies.back().time);
