@@ -24,7 +24,7 @@ struct ElementsView {
   double *wx, *wy, *wz;                             // angular velocity at the half step, space axes [rad/s]
   double* tally;                                    // J, kTallies of each batch
   const double* mass;                               // kg, that weighs; 0: fixed
-  const double *inert_mass, *inv_mass;              // kg, 1/kg, that forces accelerate: another one in a relaxation alone; 0 and 0: fixed
+  const double *inert_mass, *inv_mass;              // kg, 1/kg: what forces accelerate; `mass` but in a relaxation; 0 and 0: fixed
   const double* alpha;                              // 1/s, mass damping (Eq. 13)
   const double *ixx, *iyy, *izz, *ixy, *ixz, *iyz;  // inverse inertia, body axes [1/(kg m2)]; 0: fixed
   const std::uint8_t* principal;                    // by batch, 1: all its elements have principal body axes (ixy, ixz, iyz are 0)

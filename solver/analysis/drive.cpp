@@ -31,7 +31,7 @@ constexpr double kDampingRatio = 0.1;               // of critical, at the first
 constexpr double kPeriods = 20.0;                   // first periods in a pace
 constexpr double kShortestPace = 2.0;               // s
 constexpr double kFirstFactor = 0.05;               // load factor that the first pace brings, times e − 1, while nothing has cracked
-constexpr double kRestFactor = 0.02;                // load factor of the first point, where each is a state of rest
+constexpr double kRestFactor = 0.02;                // load factor of the first state of rest (analysis.solver)
 constexpr double kRestMovement = 2e-4;              // of the height: how far supports go to the first such point
 constexpr double kShare = 0.5, kCyclicShare = 5.0;  // of the first stiffness: see Analysis::share
 constexpr double kStepMargin = 2e-3;                // of the square of the highest frequency that the step bears: what the spring may add

@@ -8,7 +8,7 @@
 /// (kernels/THEORY.md (33)).
 namespace voussoir::solver {
 
-/// Of the stability limit 4/Δt², what the loading spring takes at most.
+/// The loading spring takes at most this share of the stability limit 4/Δt².
 inline constexpr double kSpringShare = 0.1;
 
 /// Finds the masses of all elements anew, from the joints, free patches and ties that there are.

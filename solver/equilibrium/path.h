@@ -10,7 +10,7 @@
 /// clock of the supports, goes on, and when the structure rests.
 namespace voussoir::solver {
 
-/// What has come out where the structure rests.
+/// Figures of a state of rest.
 struct RestPoint {
   double factor = 0.0;       // load factor
   double done = 0.0;         // the way of the moving end so far, all ways counted

@@ -124,7 +124,7 @@ class Plan {
     return true;
   }
 
-  /// The same from one state of rest to the next. \return false if the tick stopped it
+  /// Runs an analysis from one state of rest to the next. \return false if the tick stopped it
   bool follow() {
     while (sim_.steps() <= last_) {
       if (!go_on()) return false;
@@ -152,7 +152,7 @@ class Plan {
     if (state_.collapse < 0.0 && fallen_mass(sim_.world()).is_collapse()) state_.collapse = time, end_after_collapse();
   }
 
-  /// Of the last step, whose frame was taken before it.
+  /// Writes the rows of the last step; its frame was taken before the step.
   void tell_row(double time, double over) {
     const StageTimer timer(sim_.stage_times(), Stage::output);
     report_.tell_frame();

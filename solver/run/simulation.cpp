@@ -110,17 +110,16 @@ kernels::BodyForces Simulation::body_forces(int level) const {
     const Multirate& m = world_->multirate;
     const double share = m.impulse_steps(level, 0) / m.steps_of(level);
     f.gravity = share * f.gravity, f.ground = share * f.ground;
-    if (relaxation_.on()) f.gravity = f.ground = {};  // weights are among the forces of the rows
-    return f;
+  } else {
+    f.mean_gravity = 0.5 * (f.gravity + gravity_at(t - dt));
+    f.mean_ground = 0.5 * (f.ground + ground_at(t - dt));
+    if (phase_ == Phase::shaking && program_.active()) {
+      // As if the base were accelerated the other way.
+      f.ground = -1.0 * program_.acceleration();
+      f.mean_ground = -1.0 * program_.mean_acceleration();
+    }
   }
-  f.mean_gravity = 0.5 * (f.gravity + gravity_at(t - dt));
-  f.mean_ground = 0.5 * (f.ground + ground_at(t - dt));
-  if (phase_ == Phase::shaking && program_.active()) {
-    // As if the base were accelerated the other way.
-    f.ground = -1.0 * program_.acceleration();
-    f.mean_ground = -1.0 * program_.mean_acceleration();
-  }
-  if (relaxation_.on()) f.gravity = f.ground = {};
+  if (relaxation_.on()) f.gravity = f.ground = {};  // weights are among the forces of the rows
   return f;
 }
 
@@ -166,7 +165,7 @@ void Simulation::apply_loads() {
   solver::apply_loads(w, ledger_, load_before_, shaking ? static_cast<double>(step_) * w.dt : 0.0, program_.factor(), step_ == 0);
 }
 
-/// What a relaxation does beside the loads of a case.
+/// Adds the weights, measures how far the structure is from rest, and goes on along the path.
 void Simulation::relax() {
   const double t = static_cast<double>(step_) * world_->dt;
   relaxation_.look(*world_, phase_ == Phase::settling ? gravity_at(t) : gravity_at(t) + program_.acceleration(),

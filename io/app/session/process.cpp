@@ -68,7 +68,7 @@ void print_memory() {
     std::fprintf(stderr, ", ulimit -v allows %.0f MB", 1e-6 * static_cast<double>(limit.rlim_cur));
 }
 
-/// How many threads the system gives at a time, of so many; and the error that ends them.
+/// Number of threads that the system gives at a time, at most `wanted`. \param why  receives the error that refused the next one
 int threads_given(int wanted, std::string& why) {
   std::vector<std::thread> given;
   given.reserve(static_cast<std::size_t>(wanted));

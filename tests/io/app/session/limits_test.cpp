@@ -75,7 +75,7 @@ TEST_CASE("limits: more threads than a limit on memory or processes allows are f
 TEST_CASE("limits: where memory ends, one line says what was done") {
   if (shell::kSanitizer) return;
   const Place place;
-  // From where the program does not even start to where all is well.
+  // Limits from one under which the program does not start to one that it does not notice.
   int lacking = 0, good = 0;
   for (int kilobytes = 44000; kilobytes <= 84000; kilobytes += 2000) {
     const Outcome o = voussoir(place.run("-j 1"), "ulimit -v " + std::to_string(kilobytes) + " && ");
