@@ -172,6 +172,16 @@ VOUSSOIR_INLINE SumLanes global_sums(const FrameLanes& f, const SumRows* rows, d
   return {f.global(x[0]), f.global(x[1]), f.global(x[2])};
 }
 
+/// Notes the forces of the chosen lanes, whose points touch, as those of contacts (22a).
+VOUSSOIR_INLINE void note_pushes(const SideBlock& s, int at, VecLanes force, unsigned touching, const Rows& rows) noexcept {
+  for (int l = 0; l < kWidth; ++l) {
+    if (!(touching >> l & 1U)) continue;
+    const Vec3 f{force.x[l], force.y[l], force.z[l]};
+    note_push(rows.wrench, s.master[at + l], f);
+    if (!(s.on_base >> (at + l) & 1U)) note_push(rows.wrench, s.slave[at + l], f);
+  }
+}
+
 /// Largest |u_s|² over the rectangles of the points [m2]. It is convex, so the maximum is at a corner.
 Lanes largest_slide2(const SideConstants& c, int at, const LaneFields& f) noexcept {
   Lanes most{};
@@ -228,7 +238,10 @@ void advance_damaged(const SideBlock& block, int at, unsigned chosen, const Bloc
   const LaneMask mask = lanes_of(chosen);
   const SumLanes found = global_sums(f, by_lane, &SumRows::total);
   sums = {select3(mask, found.f, sums.f), select3(mask, found.sf, sums.sf), select3(mask, found.tf, sums.tf)};
-  if (touching != 0) assemble(block, at, state.first, wrench_of(k, global_sums(f, by_lane, &SumRows::dash)), touching, rows, true);
+  if (touching != 0) {
+    assemble(block, at, state.first, wrench_of(k, global_sums(f, by_lane, &SumRows::dash)), touching, rows, true);
+    note_pushes(block, at, found.f, touching, rows);
+  }
   report_facing(block, at, fields, chosen, result);
 }
 

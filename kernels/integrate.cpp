@@ -22,6 +22,9 @@ VOUSSOIR_INLINE void prefetch_columns(const ElementRows& rows, std::int64_t i, C
   if (rows.out_of_cache) (prefetch(columns + i + kPrefetchDistance, kWidth * sizeof(double)), ...);
 }
 
+/// Relative error of a sum of contact forces, each from a depth that is the small difference of two places [-].
+constexpr double kRoundOff = 1e-8;
+
 struct QuaternionLanes {
   Lanes w, x, y, z;
 };
@@ -217,6 +220,22 @@ struct Pushes {
   bool damps_rotation;
 };
 
+VOUSSOIR_INLINE VecLanes above(VecLanes v, Lanes least) noexcept {
+  return {select(max(v.x, -v.x) < least, Lanes{}, v.x), select(max(v.y, -v.y) < least, Lanes{}, v.y),
+          select(max(v.z, -v.z) < least, Lanes{}, v.z)};
+}
+
+/// (22a): components of force and torque that the sums of contact forces cannot tell from nothing are nothing. \param pushed  sum of the
+/// sizes of the contact forces [N]; 0: no contact, nothing changes
+VOUSSOIR_INLINE void drop_round_off(const ElementsView& e, std::int64_t i, Lanes pushed, Lanes inv_mass, VecLanes& force,
+                                    VecLanes& torque) noexcept {
+  const Lanes least = kRoundOff * pushed;
+  const Lanes inv_inertia = load_lanes(e.ixx + i) + load_lanes(e.iyy + i) + load_lanes(e.izz + i);
+  const Lanes arm = sqrt(select(inv_inertia > 0.0, inv_mass / inv_inertia, Lanes{}));  // at most the least radius of gyration
+  force = above(force, least);
+  torque = above(torque, arm * least);
+}
+
 /// The kick of kWidth elements.
 VOUSSOIR_INLINE void kick_group(const ElementsView& e, const ElementRows& rows, const Pushes& f, std::int64_t i,
                                 StepTally& tally) noexcept {
@@ -224,12 +243,13 @@ VOUSSOIR_INLINE void kick_group(const ElementsView& e, const ElementRows& rows, 
   prefetch_columns(rows, i, e.vx, e.vy, e.vz, e.lx, e.ly, e.lz, e.mass, e.inv_mass, e.alpha);
   const auto row = [&](int l) { return rows.wrench + (i + l) * kWrenchStride; };
   VecLanes force, torque;
-  Lanes unused, dashed;
+  Lanes unused, pushed, dashed;
   load_columns(row, 0, force.x, force.y, force.z, torque.x);
-  load_columns(row, 4, torque.y, torque.z, unused, dashed);
+  load_columns(row, 4, torque.y, torque.z, pushed, dashed);
   const Lanes m = load_lanes(e.mass + i), im = load_lanes(e.inv_mass + i), alpha = load_lanes(e.alpha + i);
   const Lanes inert = load_lanes(e.inert_mass + i);
   const LaneMask fixed = im == 0.0;
+  if (bits(pushed != 0.0) != 0) drop_round_off(e, i, pushed, im, force, torque);
   const Lanes a = 0.5 * alpha * f.dt;
   const VecLanes before = load3(e.vx, e.vy, e.vz, i);
   const VecLanes after =

@@ -57,9 +57,11 @@ void hand_out(const Side& side, std::int64_t id, const SideFrame& f, const Segme
   }
   add_wrench(rows.wrench, side.master, w.force, w.torque_a);
   add_dashpot(rows.wrench, rows.dashpot, side.master, w.dash_force, w.dash_torque_a);
+  if (r.touching) note_push(rows.wrench, side.master, w.force);
   if (side.on_base) return;
   add_wrench(rows.wrench, side.slave, -w.force, w.torque_b);
   add_dashpot(rows.wrench, rows.dashpot, side.slave, -w.dash_force, w.dash_torque_b);
+  if (r.touching) note_push(rows.wrench, side.slave, w.force);
 }
 
 /// \param law  advances segment i: (state, i, u, rate) -> SegmentStep

@@ -181,6 +181,7 @@ void gather_contacts(World& w, int due, std::int64_t number) {
   each_push(c, due, static_cast<std::size_t>(element), [&](std::size_t place, std::size_t slot, bool is_slave) {
     const kernels::PairWrench& x = c.wrench[slot];
     const kernels::Rows rows = w.rows(c.gather_level.empty() ? 0 : c.gather_level[place]);
+    kernels::note_push(rows.wrench, element, x.force);
     if (!is_slave) {
       kernels::add_wrench(rows.wrench, element, x.force, x.torque_a);
       kernels::add_dashpot(rows.wrench, rows.dashpot, element, x.dash_force, x.dash_torque_a);

@@ -132,9 +132,11 @@ void add_forces(World& w, const OverlapSpring& s) {
   double *wrench = rows.wrench, *dash = rows.dashpot;
   kernels::add_wrench(wrench, s.a, s.force + s.dashpot, s.torque_a + s.dashpot_torque_a);
   kernels::add_dashpot(wrench, dash, s.a, s.dashpot, s.dashpot_torque_a);
+  kernels::note_push(wrench, s.a, s.force + s.dashpot);
   if (is_base(w, s.b)) return;
   kernels::add_wrench(wrench, s.b, -(s.force + s.dashpot), s.torque_b + s.dashpot_torque_b);
   kernels::add_dashpot(wrench, dash, s.b, -s.dashpot, s.dashpot_torque_b);
+  kernels::note_push(wrench, s.b, s.force + s.dashpot);
 }
 
 /// The bodies have parted: what the spring still held, less its last work, is lost.

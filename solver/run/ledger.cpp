@@ -89,8 +89,14 @@ double Ledger::kinetic(const World& w) const {
   const Elements& e = w.elements;
   double sum = 0.0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
+    // Of the first row velocities before are of half a step earlier, those after of half the element's own step later (24a): they are
+    // continued back to as much before.
+    const int level = w.batch_level(i / kernels::kBatch);
+    const double back = fresh_ ? w.multirate.steps_of(level) / w.multirate.impulse_steps(level, 0) - 1.0 : 0.0;
     const Vec3 v = at(e.vx, e.vy, e.vz, i), spin = at(e.wx, e.wy, e.wz, i), l = at(e.lx, e.ly, e.lz, i);
-    sum += 0.5 * e.inert_mass()[i] * dot(at(v_, i), v) + 0.25 * (dot(at(l_, i), spin) + dot(l, at(w_, i)));
+    const Vec3 v0 = at(v_, i), spin0 = at(w_, i), l0 = at(l_, i);
+    sum += 0.5 * e.inert_mass()[i] * dot(v0 - back * (v - v0), v) +
+           0.25 * (dot(l0 - back * (l - l0), spin) + dot(l, spin0 - back * (spin - spin0)));
   }
   return sum;
 }

@@ -33,13 +33,19 @@ double power(const World& w, std::int32_t element, Vec3 force, Vec3 moment) {
 
 }  // namespace
 
-void apply_loads(World& w, Ledger& ledger, std::vector<Vec3>& before, double t, double factor, bool first) {
+void apply_loads(World& w, Ledger& ledger, std::vector<Vec3>& before, std::int64_t step, double t, double factor) {
+  const Multirate& m = w.multirate;
+  const int due = m.due(step);
   for (std::size_t k = 0; k < w.loads.size(); ++k) {
     const PointLoad& l = w.loads[k];
     const Vec3 whole = l.history != nullptr ? l.part * value_at(*l.history, t) : l.force;
     const Wrench now = wrench_of(w, l, whole, l.grows ? factor : ramp_share(t, l.ramp_begin, l.ramp_end));
-    kernels::add_wrench(w.elements.wrench.data(), l.element, now.force, now.moment);
-    if (!first) ledger.add_load_work(0.5 * w.dt * power(w, l.element, now.force + before[2 * k], now.moment + before[2 * k + 1]));
+    const int level = w.batch_level(static_cast<std::size_t>(l.element / kernels::kBatch));
+    if (level < due) {
+      const double share = m.impulse_steps(level, step) / m.steps_of(level);
+      kernels::add_wrench(w.elements.wrench.data(), l.element, share * now.force, share * now.moment);
+    }
+    if (step > 0) ledger.add_load_work(0.5 * w.dt * power(w, l.element, now.force + before[2 * k], now.moment + before[2 * k + 1]));
     before[2 * k] = now.force;
     before[2 * k + 1] = now.moment;
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "solver/run/ledger.h"
@@ -10,10 +11,12 @@
 /// Loads on single elements: dead loads keep their direction, followers rotate with their element.
 namespace voussoir::solver {
 
-/// Adds the wrenches of all loads to the rows, and their work over the last step to the ledger.
+/// Adds the wrenches of all loads to the rows of the elements that are moved on in this step, and their work over the last step to the
+/// ledger. At several rates a load acts with the impulse of all steps by which its element moves, as gravity does: an element at rest
+/// under a load on joints of that level then has no velocity.
 /// \param before  force and moment of each load at the last step; kept up to date
-/// \param t  time of the ramps [s] \param factor  of the loads that grow \param first  whether this is the first step
-void apply_loads(World& w, Ledger& ledger, std::vector<Vec3>& before, double t, double factor, bool first);
+/// \param t  time of the ramps [s] \param factor  of the loads that grow
+void apply_loads(World& w, Ledger& ledger, std::vector<Vec3>& before, std::int64_t step, double t, double factor);
 
 /// Power of the growing loads at a factor of 1, with the velocities of the last half step [W].
 double power_of_growing_loads(const World& w);

@@ -108,7 +108,6 @@ void renew_moves(World& w) {
   for (const OverlapPair& p : w.overlaps.pairs) lower_both(p.a, p.b, m.contact_level(p.a, p.b));
   // What acts in every step.
   for (const std::int32_t e : w.ties.element) lower(e, 0);
-  for (const PointLoad& l : w.loads) lower(l.element, 0);
   for (const Support& s : w.supports) lower(s.element, 0);
 }
 

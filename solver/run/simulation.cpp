@@ -162,7 +162,7 @@ void Simulation::apply_loads() {
   World& w = *world_;
   const bool shaking = phase_ == Phase::shaking;
   if (shaking) ledger_.add_load_work(program_.add_forces(w));
-  solver::apply_loads(w, ledger_, load_before_, shaking ? static_cast<double>(step_) * w.dt : 0.0, program_.factor(), step_ == 0);
+  solver::apply_loads(w, ledger_, load_before_, step_, shaking ? static_cast<double>(step_) * w.dt : 0.0, program_.factor());
 }
 
 /// Adds the weights, measures how far the structure is from rest, and goes on along the path.

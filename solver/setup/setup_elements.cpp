@@ -40,10 +40,17 @@ void size_arrays(Elements& e, Team& team) {
   assign_in_shares(e.dashpot, n * kernels::kDashpotStride, 0.0, team);
 }
 
+// Relative to the trace: products of inertia below it are the round-off of a body that has none, and would turn it out of its plane.
+constexpr double kNoProduct = 1e-13;
+
 /// In reference axes.
 void set_inverse_inertia(Elements& e, std::size_t i, const Mat3& inertia) {
   Eigen::Matrix3d j;
   j << inertia.r0.x, inertia.r0.y, inertia.r0.z, inertia.r1.x, inertia.r1.y, inertia.r1.z, inertia.r2.x, inertia.r2.y, inertia.r2.z;
+  const double least = kNoProduct * j.trace();
+  for (const auto& [r, c] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 2}}) {
+    if (std::abs(j(r, c)) < least) j(r, c) = j(c, r) = 0.0;
+  }
   const Eigen::Matrix3d inverse = j.inverse();
   e.ixx[i] = inverse(0, 0), e.iyy[i] = inverse(1, 1), e.izz[i] = inverse(2, 2);
   e.ixy[i] = inverse(0, 1), e.ixz[i] = inverse(0, 2), e.iyz[i] = inverse(1, 2);

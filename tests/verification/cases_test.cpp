@@ -23,7 +23,7 @@ TEST_CASE("every case of cases/verification builds and steps") {
     CHECK(!run.description().title.empty());
     CHECK(!run.description().source.empty());
     CHECK(!run.description().output.history.empty());
-    for (int i = 0; i < 10; ++i) run.sim().step({});
+    for (int i = 0; i < 10; ++i) run.cycle({});
     CHECK(std::isfinite(norm(run.displacement(0))));
   }
 }

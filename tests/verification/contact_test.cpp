@@ -34,7 +34,7 @@ Trace follow(cases::Case c, double gap) {
   for (int i = 0; i <= steps; ++i) {
     const Vec3 u = path(3.0 * i / steps);
     place(run, 1, u - Vec3{0.0, 0.0, gap}, (u - last) / run.sim().dt());
-    run.sim().step({true, false});
+    run.cycle({true, false});
     const solver::ForcesRow& f = run.sim().forces();
     trace.force.push_back(f.base_shear);
     trace.moment.push_back(f.base_moment);
@@ -80,7 +80,7 @@ struct Gain {
   double above_start = 0.0, rise = 0.0, from_dashpots = 0.0, from_friction = 0.0, residual = 0.0;
 
   void watch(Run& run, double end) {
-    run.sim().step({false, true});
+    run.cycle({false, true});
     const solver::EnergyRow start = run.sim().energy();
     double play = start.kinetic;  // and the fall of the centroids by half a brick's length
     for (std::size_t i = 0; i < run.count(); ++i) play += run.mass(i) * norm(run.description().gravity.acceleration) * 0.1;
@@ -159,7 +159,7 @@ std::optional<Jump> largest_jump(bool on_brick, double tilt, double depth) {
     e.qw[moved] = std::cos(0.5 * tilt), e.qy[moved] = std::sin(0.5 * tilt);
     kernels::drift(e.view(), run.sim().world().element_rows(), 0.0, 0, e.rows);
     const Vec3 x = run.position(moved);
-    run.sim().step({true, false});
+    run.cycle({true, false});
     const solver::ForcesRow& now = run.sim().forces();
     if (i == 0 && now.base_shear.z == 0.0) return std::nullopt;
     const Vec3 moment = (1.0 / now.base_shear.z) * (now.base_moment - cross(x, now.base_shear));
@@ -227,7 +227,7 @@ HandOver hand_over(bool bonded, double tilt, double way) {
     place(run, 1, u, (rate / run.sim().dt()) * tangent);
     e.qw[1] = std::cos(0.5 * t), e.qy[1] = std::sin(0.5 * t);
     kernels::drift(e.view(), run.sim().world().element_rows(), 0.0, 0, e.rows);
-    run.sim().step({true, true});
+    run.cycle({true, true});
   };
   const auto apart = [&] {
     const solver::Sides& s = run.sim().world().sides;

@@ -29,14 +29,14 @@ class Press {
     for (int i = 0; i < steps; ++i) {
       u_ += part;
       place(run_, 1, u_, part / run_.sim().dt());
-      run_.sim().step({true, false});
+      run_.cycle({true, false});
       each(run_.sim().forces().base_shear);
     }
   }
   /// The force on the brick at rest where it is.
   Vec3 hold() {
     place(run_, 1, u_, {});
-    run_.sim().step({true, false});
+    run_.cycle({true, false});
     return run_.sim().forces().base_shear;
   }
   [[nodiscard]] solver::Damage damage() const { return run_.sim().damage(); }

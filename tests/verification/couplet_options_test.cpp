@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include "tests/verification/couplet.h"
 
 // V5 under the options of [failure]: what a joint carries in shear while it is pulled, and after it has reached its shear limit.
@@ -58,6 +60,20 @@ TEST_CASE("V5: after the shear limit, plastic and brittle") {
   brittle.move({0, 0, (0.5 * kTension - sigma) / kStiffness}, 1e-3, [](Vec3) {});
   expect_near("V5 post_shear = plastic, tension carried after slip [Pa]", -plastic.hold().z / kArea, 0.5 * kTension, 1e-3);
   expect_below("V5 post_shear = brittle, tension carried after slip [Pa]", norm(brittle.hold()) / kArea, 1e-9);
+}
+
+TEST_CASE("V5: loads at several rates") {
+  for (const int rates : {2, 4}) {
+    Run run("couplet", {"time.multirate=" + std::to_string(rates), "load[1].ramp=[5.0,6.0]"});
+    double residual = 0.0, moved = 0.0;
+    run.until(1.5, {false, true}, [&] {
+      residual = std::max(residual, run.sim().energy().residual);
+      if (run.time() > 1.4) moved = std::max(moved, norm(run.velocity(1)));
+    });
+    const std::string what = "V5 loads with " + std::to_string(rates) + " rates: ";
+    expect_below(what + "residual of the ledger", residual, 1e-4);
+    expect_below(what + "speed at rest under the load [m/s]", moved, 1e-9);
+  }
 }
 
 }  // namespace voussoir::testing

@@ -30,7 +30,7 @@ Failure break_couplet(Vec3 first, Vec3 second, Vec3 moment, double segment = kDe
   double end = run.description().time.duration;
   while (run.time() < end) {
     const Vec3 x = run.position(1);
-    run.sim().step({true, false});
+    run.cycle({true, false});
     const solver::ForcesRow& f = run.sim().forces();
     p.plateau = larger(p.plateau, f.base_shear);
     if (p.failed) continue;

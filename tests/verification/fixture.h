@@ -114,14 +114,19 @@ class Run {
     return rest;
   }
 
+  /// One step, or with several rates all steps of a cycle. With `due` the results are those of its first, where rows of energies stand.
+  void cycle(solver::Due due) {
+    sim_->step(due);
+    for (std::int64_t k = 1; k < sim_->cycle(); ++k) sim_->step({});
+  }
+
   /// Steps until `end` [s]; `each` sees the state at time() before every step, or every cycle of multi-rate stepping. With `due` the
   /// results of the last step are behind it.
   template <class Each>
   void until(double end, solver::Due due, const Each& each) {
     while (sim_->time() < end - 0.5 * sim_->dt()) {
       each();
-      sim_->step(due);
-      for (std::int64_t k = 1; k < sim_->cycle(); ++k) sim_->step({});
+      cycle(due);
     }
   }
   void until(double end) {

@@ -56,7 +56,7 @@ TEST_CASE("V19: a column of stones with dry joints under its weight") {
   constexpr int kBlocks = 8;
   Run run(column(kBlocks));
   CHECK(run.settle());
-  run.sim().step({false, true});                                              // energies
+  run.cycle({false, true});                                                   // energies
   const double weight = 2500.0 * kGravity * 0.2, plane = 1e9 / (1.0 - 0.04);  // Pa of a block; Pa
   double sunk = 0.0, stored = 0.0;
   for (int i = 0; i < kBlocks; ++i) {  // joint i under kBlocks − i of them; against the base one half block

@@ -28,7 +28,7 @@ bool overturns(double multiplier) {
   c.gravity.acceleration.x = multiplier * kGravity;
   Run run(c);
   const auto tilt = [&] { return 2.0 * std::abs(run.orientation(0).y); };
-  while (!run.sim().at_rest() && !run.sim().settled_too_long() && tilt() < 0.1) run.sim().step({false, run.sim().steps() % 20 == 0});
+  while (!run.sim().at_rest() && !run.sim().settled_too_long() && tilt() < 0.1) run.cycle({false, run.sim().steps() % 20 == 0});
   if (tilt() >= 0.1) return true;
   run.sim().start_shaking();
   run.until(2.0);
