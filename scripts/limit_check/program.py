@@ -12,7 +12,7 @@ import case_file
 from reference import FALLS, MARGINAL, STANDS, UNBOUNDED, UNSURE, Programme, solve
 
 PLANE, SPACE = 1e-6, 1e-4  # relative differences that are allowed
-CLOSES, POWER = 1e-5, 1e-4  # of mechanisms, whose velocities are written with six digits
+CLOSES, POWER = 1e-8, 1e-5  # of mechanisms, whose velocities are written with twelve digits
 SMALL = 1e-3  # differences of multipliers below it are relative to it
 AGREES, DISAGREES, OPEN = "agrees", "disagrees", "open"
 NO_LIMIT = ("no collapse multiplier in this direction", "beyond what is looked for")

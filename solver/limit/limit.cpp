@@ -22,7 +22,7 @@
 namespace voussoir::solver {
 namespace {
 
-constexpr double kFalls = 1e-7;     // of all weight × the fastest speed: dead power that is more than round-off
+constexpr double kFalls = 1e-7;     // of the powers of all dead forces without their signs: a sum that is more than round-off
 constexpr double kCertain = 100.0;  // so many times what a violation of the mechanism could hold back
 
 /// The analysis in hand: the model, its programmes, and what checks them.
@@ -104,7 +104,7 @@ class Analysis {
     if (s.outcome == LpOutcome::at_bound && checks_.check_forces(on_model(s.forces), s.factor, 0.0).worst() <= LimitProof::kForces) return;
     if (s.outcome != LpOutcome::solved) throw no_proof();
     const MotionCheck m = checks_.check_motion(s.motion);
-    const double least = std::max(kFalls, kCertain * m.off_normal) * forces_.weight;
+    const double least = std::max(kFalls * m.dead_terms, kCertain * m.off_normal * forces_.weight);
     if (m.off_normal > LimitProof::kMotion || !(m.dead_power > least)) throw no_proof();
     throw cases::InputError("",
                             "does not stand under its dead loads alone, as dry blocks with the friction of their contacts: a mechanism "

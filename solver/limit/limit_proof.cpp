@@ -64,6 +64,7 @@ double LimitModel::power(const BodyForces& f, const std::vector<kernels::Twist>&
 
 MotionCheck LimitModel::check_motion(const std::vector<kernels::Twist>& motion) const {
   MotionCheck out;
+  out.deficit.assign(model_.assembly.joints.size(), 0.0);
   for (std::size_t e = 0; e < model_.blocks.size(); ++e)
     for (const Vec3 v : model_.blocks[e].shape.vertices) out.fastest = std::max(out.fastest, norm(speed(contacts_.body_of[e], v, motion)));
   if (out.fastest == 0.0) return out;
@@ -82,11 +83,15 @@ MotionCheck LimitModel::check_motion(const std::vector<kernels::Twist>& motion) 
         const Vec3 where = place(joint.frame, s), v = speed(b, where, motion) - speed(a, where, motion);
         const double open = dot(v, normal), needed = friction * cone_.support({dot(v, axes.first), dot(v, axes.second)});
         out.overlap = std::max(out.overlap, -open / out.fastest);
-        out.off_normal = std::max(out.off_normal, (needed - open) / out.fastest);
+        out.deficit[j] = std::max(out.deficit[j], (needed - open) / out.fastest);
       }
     }
+    out.off_normal = std::max(out.off_normal, out.deficit[j]);
   }
   out.dead_power = power(forces_.dead, motion) / out.fastest;
+  for (std::size_t b = 0; b < motion.size(); ++b)
+    out.dead_terms +=
+        (std::abs(dot(forces_.dead.force[b], motion[b].v)) + std::abs(dot(forces_.dead.moment[b], motion[b].w))) / out.fastest;
   out.live_power = power(forces_.live, motion) / out.fastest;
   return out;
 }
@@ -105,9 +110,12 @@ double LimitModel::lost_power(const std::vector<Vec3>& at_points, const std::vec
 }
 
 double LimitModel::slack_of_bound(const std::vector<Vec3>& at_points, const MotionCheck& c) const {
-  double pressed = 0.0;
-  for (std::size_t i = 0; i < contacts_.points.size(); ++i) pressed += std::abs(dot(at_points[i], contacts_.points[i].normal));
-  return std::max(c.off_normal, 0.0) * pressed / c.live_power;
+  double held = 0.0;
+  for (std::size_t i = 0; i < contacts_.points.size(); ++i) {
+    const LimitPoint& p = contacts_.points[i];
+    held += c.deficit[at(p.joint)] * std::abs(dot(at_points[i], p.normal));
+  }
+  return held / c.live_power;
 }
 
 }  // namespace voussoir::solver

@@ -28,7 +28,9 @@ struct ForceCheck {
 struct MotionCheck {
   double overlap = 0.0;                       // greatest speed of contact points into each other
   double off_normal = 0.0;                    // associated flow: greatest deficit of the opening that accompanies slip
+  std::vector<double> deficit;                // by joint: greatest such deficit; zero within one body
   double dead_power = 0.0, live_power = 0.0;  // W at the speed 1 m/s
+  double dead_terms = 0.0;                    // W, the powers of the single dead forces and moments, each without its sign
   double fastest = 0.0;                       // m/s, greatest speed of all contact points and corners of blocks
 };
 
@@ -43,7 +45,8 @@ class LimitModel {
   /// Deviation of the forces from Coulomb's flow in this motion: sum over the points of pressure times opening speed, and of the difference
   /// between the power of Coulomb's friction and that of the shear, as a share of the power of the live forces.
   [[nodiscard]] double lost_power(const std::vector<Vec3>& at_points, const std::vector<kernels::Twist>& motion) const;
-  /// Bound on the error of the multiplier's upper bound due to a violation of normality, for forces like these.
+  /// Bound on the error of the multiplier's upper bound due to violations of normality, for forces like these: each joint's deficit holds
+  /// back what presses that joint. A light stone on heavy ones thus has a bound of its own weight.
   [[nodiscard]] double slack_of_bound(const std::vector<Vec3>& at_points, const MotionCheck& c) const;
 
  private:

@@ -212,7 +212,7 @@ void csv_of(std::string& out, const char* rule, const solver::LimitState& s, con
     }
     std::string tag = model.blocks[e].tag;
     std::ranges::replace(tag, '"', '\'');
-    out += printed("%s,%zu,\"%s\",%zu,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g\n", rule, e, tag.c_str(), part[e], v.x, v.y, v.z, w.x, w.y, w.z);
+    out += printed("%s,%zu,\"%s\",%zu,%.12g,%.12g,%.12g,%.12g,%.12g,%.12g\n", rule, e, tag.c_str(), part[e], v.x, v.y, v.z, w.x, w.y, w.z);
   }
 }
 

@@ -116,6 +116,38 @@ TEST_CASE("limit: what falls by itself is refused, also where the live force wou
   }
 }
 
+TEST_CASE("limit: a pebble on a block topples at its own width over its height, however small it is beside the block") {
+  std::mt19937 random(287);
+  std::uniform_real_distribution<double> any(0.0, 1.0);
+  for (const double size : {0.3, 0.03, 0.003}) {
+    for (int trial = 0; trial < 10; ++trial) {
+      Masonry m;
+      m.friction = 60.0;
+      m.stones.push_back({"ground", geometry::make_box({-2, -2, -1}, {2, 2, 0}), true});
+      m.stones.push_back({"block", geometry::make_box({-0.5, -0.5, 0}, {0.5, 0.5, 0.4}), false, true});
+      m.stones.push_back({"pebble", geometry::make_box({0.1, 0.1, 0.4}, {0.1 + size, 0.1 + 0.7 * size, 0.4 + 2.0 * size})});
+      const double angle = 360.0 * any(random);
+      const Vec3 to{20.0 * any(random), 20.0 * any(random), any(random)};
+      INFO("pebble of " << size << " m, turned by " << angle << ", moved to " << to.x << " " << to.y << " " << to.z);
+      const solver::LimitResult r = analysed(m.turned(angle).moved(to), along(angle), false);
+      CHECK(r.associated.multiplier == doctest::Approx(0.5).epsilon(1e-8));
+      CHECK(r.associated.proof.upper == doctest::Approx(0.5).epsilon(1e-8));
+    }
+  }
+}
+
+TEST_CASE("limit: a pebble that overhangs a block falls, however small it is beside the block") {
+  for (const double size : {0.3, 0.03, 0.003}) {
+    Masonry m;
+    m.friction = 60.0;
+    m.stones.push_back({"ground", geometry::make_box({-2, -2, -1}, {2, 2, 0}), true});
+    m.stones.push_back({"block", geometry::make_box({-0.5, -0.5, 0}, {0.5, 0.5, 0.4}), false, true});
+    m.stones.push_back({"pebble", geometry::make_box({0.5 - 0.3 * size, 0.0, 0.4}, {0.5 + 0.7 * size, size, 0.4 + size})});
+    INFO("pebble of " << size << " m");
+    CHECK(refusal(m.turned(33.0).moved({7, 3, 1})).find("in which stone \"pebble\" (element 2) moves fastest") != std::string::npos);
+  }
+}
+
 TEST_CASE("limit: the pieces of a stone are one body") {
   Masonry whole;
   whole.friction = 60.0;
