@@ -5,6 +5,7 @@ seed.
 
 Whatever is wrong with the file raises StudyError before anything runs; the message names file, key, value and what is allowed.
 """
+import collections
 import csv
 import hashlib
 import itertools
@@ -23,6 +24,7 @@ from versions import differs, results_of
 
 DIRECTIONS = ("LTV", "LVT", "TLV", "TVL", "VLT", "VTL")
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+]*")
+MOST_RUNS = 50_000  # of one study
 PLOTS = ("plots/damage_grade.svg", "plots/fallen_mass_fraction.svg", "plots/first_crack_time.svg", "plots/peak_base_shear.svg")
 ENVIRONMENT = re.compile(r"\$\{(\w+)\}")
 
@@ -32,7 +34,7 @@ class StudyError(Exception):
 
 
 def is_number(value):
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) <= sys.float_info.max  # a large integer is no float
 
 
 def is_positive(value):
@@ -48,7 +50,8 @@ def is_count(value):
 
 
 def is_text(value):
-    return isinstance(value, str) and value != ""
+    """Also a path, or a word on a command line: without the character of number zero, which ends these."""
+    return isinstance(value, str) and value != "" and "\0" not in value
 
 
 def is_override(value):
@@ -172,6 +175,8 @@ def read_document(path):
         raise StudyError(f"{path}: {error.strerror}; wanted a study file") from error
     except ValueError as error:  # of TOML or of UTF-8
         raise StudyError(f"{path}: {error}") from error
+    except RecursionError as error:
+        raise StudyError(f"{path}: arrays or tables within each other, too deep to be read") from error
 
 
 def read_study(path):
@@ -271,7 +276,7 @@ def one_run(study, folder, case, direction, record, scale, intensity, options, s
 def identity(case, overrides):
     """Identity of a run, to recognise its results: its case file as it reads now, and its overrides as written in the study, since the location
     of records may change."""
-    text = pathlib.Path(case).read_text() if pathlib.Path(case).is_file() else case
+    text = pathlib.Path(case).read_text() if os.path.isfile(case) else case
     return hashlib.sha256("\0".join([text, *overrides]).encode()).hexdigest()[:16]
 
 
@@ -294,11 +299,13 @@ def check_overridden(study, path):
 def expand(study, path):
     check_overridden(study, path)
     axes = [study[key] or [None] for key in ("cases", "directions", "records", "scales")]
+    count = math.prod(map(len, [*axes, study["intensity"], study["options"], study["seeds"] or [None]]))
+    if count > MOST_RUNS:
+        raise StudyError(f"{path}: stands for {count} runs, the product of all its lists; allowed: at most {MOST_RUNS}")
     runs = [one_run(study, path.parent, *values)
             for values in itertools.product(*axes, study["intensity"], study["options"], study["seeds"] or [None])]
-    names = [run["name"] for run in runs]
-    for name in names:
-        if names.count(name) > 1:
+    for name, times in collections.Counter(run["name"] for run in runs).items():
+        if times > 1:
             raise StudyError(f"{path}: two runs have the name {name}; allowed: cases and records whose files have names of "
                              "their own, and scales and levels that differ in their first six digits")
     return runs
