@@ -79,7 +79,7 @@ void plan_courses(const House& house, HousePlan& plan) {
   std::vector<Tick> beds;
   for (const Level& level : levels) beds.push_back(level.at);
   std::ranges::sort(beds);
-  beds.erase(std::ranges::unique(beds).begin(), beds.end());
+  beds.erase(std::unique(beds.begin(), beds.end()), beds.end());
   plan.courses.clear();
   for (std::size_t i = 0; i + 1 < beds.size(); ++i) {
     const Interval between{beds[i], beds[i + 1]};

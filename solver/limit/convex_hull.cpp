@@ -51,7 +51,7 @@ std::vector<std::size_t> hull_corners(const std::vector<Point2>& p) {
     if (p[a].s != p[b].s) return p[a].s < p[b].s;
     return p[a].t != p[b].t ? p[a].t < p[b].t : a < b;
   });
-  order.erase(std::ranges::unique(order, [&](std::size_t a, std::size_t b) { return p[a] == p[b]; }).begin(), order.end());
+  order.erase(std::unique(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return p[a] == p[b]; }), order.end());
   if (order.size() < 2) return order;
   std::vector<std::size_t> hull = all_corners(p, order);
   double size = 0.0;

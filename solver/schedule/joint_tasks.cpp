@@ -97,7 +97,8 @@ void JointTasks::queue_up() {
 /// Flags of a thread lie together, far from those of others. One that another thread looks at has a pair of lines of its own: or it would
 /// take those beside it from the thread that is about to write them.
 void JointTasks::place_flags(const Plan& plan) {
-  const auto& [owner, inside, queues, ends] = plan;
+  const std::vector<std::size_t>& owner = plan.owner;
+  const std::vector<std::uint8_t>& inside = plan.inside;
   constexpr std::size_t kLines = 128 / sizeof(Flag);
   std::vector<std::size_t> by_thread(owner.size());
   std::iota(by_thread.begin(), by_thread.end(), std::size_t{0});

@@ -84,7 +84,7 @@ std::vector<Level> levels_of(const Building& b, std::int32_t house, std::vector<
   } else {
     for (double& h : heights) h += b.base;
     std::ranges::sort(heights);
-    heights.erase(std::ranges::unique(heights).begin(), heights.end());
+    heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
   }
   std::vector<Level> levels;
   for (const double z : heights) {
@@ -152,7 +152,7 @@ class Assessor {
       houses.push_back(building.walls[w].house);
     }
     std::ranges::sort(houses);
-    houses.erase(std::ranges::unique(houses).begin(), houses.end());
+    houses.erase(std::unique(houses.begin(), houses.end()), houses.end());
     for (const std::int32_t house : houses) {
       levels_.push_back(levels_of(building, house, heights));
       for (std::size_t k = 1; k < levels_.back().size(); ++k)

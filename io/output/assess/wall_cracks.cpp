@@ -20,7 +20,7 @@ constexpr double kSamePlace = 1e-6;  // m
 /// Sorted values, without duplicates.
 std::vector<double> lines(std::vector<double> at) {
   std::ranges::sort(at);
-  at.erase(std::ranges::unique(at, [](double a, double b) { return b - a < kSamePlace; }).begin(), at.end());
+  at.erase(std::unique(at.begin(), at.end(), [](double a, double b) { return b - a < kSamePlace; }), at.end());
   return at;
 }
 

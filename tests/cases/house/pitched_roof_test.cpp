@@ -64,7 +64,7 @@ TEST_CASE("rafters: pairs from end to end of the house, seated on both walls, me
     top = std::max(top, box.high.z), low = std::min(low, box.low.z);
   }
   std::ranges::sort(places);
-  places.erase(std::ranges::unique(places, [](double a, double b) { return std::abs(a - b) < 1e-9; }).begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end(), [](double a, double b) { return std::abs(a - b) < 1e-9; }), places.end());
   REQUIRE(places.size() == 4);  // bays of (2.4 - 0.08) / 3 m
   for (std::size_t i = 0; i < 4; ++i) CHECK(places[i] == doctest::Approx(2.32 / 3 * static_cast<double>(i)).epsilon(1e-12));
   CHECK(low == doctest::Approx(0.6).epsilon(1e-12));
