@@ -12,7 +12,8 @@ namespace voussoir::solver {
 /// Sums the mass of elements and of fallen elements.
 class FallenMass {
  public:
-  /// Whether an element has fallen: it has sunk by more than half its initial height above the base, or by more than 1 m. (Only the latter
+  /// Whether an element has fallen: it has sunk by more than half its initial height above the base (without one, above the lowest
+  /// corner of the model), or by more than 1 m. (Only the latter
   /// if it began below the base, as a structure on fixed blocks may.)
   static constexpr bool has_fallen(double sunk, double height) noexcept {
     return sunk > (height > 0.0 ? std::min(0.5 * height, 1.0) : 1.0);

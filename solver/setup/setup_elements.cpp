@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 
@@ -93,6 +94,14 @@ kernels::Face face_of(const geometry::Face& face, const cases::Block& block, con
   return f;
 }
 
+/// From which heights count in a model without a base.
+double lowest_corner(const cases::Model& m) {
+  double low = std::numeric_limits<double>::infinity();
+  for (const cases::Block& b : m.blocks)
+    for (const Vec3& v : b.shape.vertices) low = std::min(low, v.z);
+  return std::isfinite(low) ? low : 0.0;
+}
+
 }  // namespace
 
 double share_of_bound(const cases::Case& c) noexcept { return c.contact.restitution ? kImpactShare : 1.0; }
@@ -132,7 +141,7 @@ void set_up_elements(World& w, const cases::Case& c) {
   }
   set_up_batches(e);
   const auto base = static_cast<std::size_t>(e.base);
-  e.body[base].ref.z = c.base ? c.base->z : 0.0;
+  e.body[base].ref.z = c.base ? c.base->z : lowest_corner(m);
   e.first_face[base] = static_cast<std::int32_t>(m.assembly.faces.size());
   e.face_count[base] = 1;
 }

@@ -90,7 +90,8 @@ Table<Analysis> analysis_table() {
        value<S>("largest_factor", &S::largest_factor, "", above(0.0).possibly(1e-9, 1e9),
                 "the run ends when the load factor (tangent of the tilt) gets there"),
        value<S>("largest_drift", &S::largest_drift, "", above(0.0).possibly(1e-9, 1e6),
-                "the run ends when the control point has moved by this share of its height in `direction`"),
+                "the run ends when the control point has moved by this share of its height in `direction` (above the base; without one, "
+                "above the lowest corner)"),
        value<S>("amplitudes", &S::amplitudes, "m", any().usually(usual::kAmplitude),
                 "cyclic: of the displacement of the loads that grow, one after another"),
        value<S>("cycles", &S::cycles, "", within(1.0, 1000.0), "cyclic: at each amplitude"),

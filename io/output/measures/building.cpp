@@ -251,6 +251,13 @@ void find_covers(const Elements& elements, Building& b) {
   }
 }
 
+/// From which heights count in a model without a base, as in the solver.
+double lowest(const std::vector<Box>& boxes) {
+  double low = std::numeric_limits<double>::infinity();
+  for (const Box& b : boxes) low = std::min(low, b.low[2]);
+  return std::isfinite(low) ? low : 0.0;
+}
+
 }  // namespace
 
 Box Box::empty() noexcept {
@@ -271,7 +278,6 @@ std::string part_of(const std::string& tag) {
 Building building_of(const Hdf5File& run) {
   Building b;
   b.has_base = has_table(run, "base");
-  b.base = b.has_base ? case_number(run, "base", "z") - origin_of_run(run).z : 0.0;
   b.mass = run.read<double>("/model/element/mass");
   const std::size_t n = b.mass.size();
   const Elements elements{run.read_strings("/model/element/tag"), run.read<std::int32_t>("/model/element/house"),
@@ -285,6 +291,7 @@ Building building_of(const Hdf5File& run) {
   b.wall.assign(n, -1);
   b.covers.assign(n, 0);
   b.box = boxes_of(run, n);
+  b.base = b.has_base ? case_number(run, "base", "z") - origin_of_run(run).z : lowest(b.box);
   find_walls(elements, static_cast<int>(std::lround(case_number(run, "house", "turn") / 90.0)), b);
   find_lintels(elements, b);
   find_rooms(b);

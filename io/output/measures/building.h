@@ -59,7 +59,7 @@ struct Room {
 struct Building {
   static constexpr int kAll = std::numeric_limits<int>::max();  // value of `covers`
 
-  double base = 0;  // m, height of the base; 0 without a base
+  double base = 0;  // m, height of the base; without one, of the lowest corner
   bool has_base = false;
   std::vector<double> mass;  // kg, by element like the following vectors; 0 for fixed elements
   std::vector<cases::PartKind> kind;

@@ -90,6 +90,25 @@ TEST_CASE("a tilt and a pushover by the first mode have the same bits across sto
   }
 }
 
+TEST_CASE("without a base the drift of an analysis counts from the lowest corner, wherever the model stands") {
+  cases::Case c = pushed_wall(cases::AnalysisKind::tilt);
+  c.analysis.longest = 0.2;
+  c.base.reset();
+  for (cases::BlockSpec& b : c.blocks) b.fixed = b.box->at(0).z < 0.05;
+  const auto drifts = [](const Outcome<Rows>& r) {
+    std::vector<double> all;
+    for (const solver::AssessmentRow& row : r.out.rows) all.push_back(row.drift);
+    return all;
+  };
+  const std::vector<double> here = drifts(run(c));
+  REQUIRE(here.size() > 100);
+  for (cases::BlockSpec& b : c.blocks)
+    for (Vec3& corner : *b.box) corner.z -= 64.0;
+  const std::vector<double> below = drifts(run(c));
+  REQUIRE(below.size() == here.size());
+  for (std::size_t i = 0; i < here.size(); ++i) CHECK(below[i] == doctest::Approx(here[i]).epsilon(1e-6));
+}
+
 TEST_CASE("an analysis ends once the base shear has dropped, not at its longest") {
   cases::Case c = pushed_wall(cases::AnalysisKind::pushover);
   c.analysis.longest = 20.0;
