@@ -82,7 +82,7 @@ def _reading(what: str) -> Iterator[None]:
         raise
     except KeyError as error:
         raise NoData(f"{what}: {error.args[0] if error.args else error}") from error
-    except (OSError, RuntimeError, ValueError, TypeError, MemoryError, UnicodeError, OverflowError) as error:
+    except (OSError, RuntimeError, ValueError, TypeError, MemoryError, UnicodeError, OverflowError, AttributeError, IndexError) as error:
         raise FileError(f"{what}: cannot be read: {error}") from error
 
 
@@ -172,6 +172,8 @@ class Table(Mapping[str, Array]):
     """
 
     def __init__(self, group: h5py.Group) -> None:
+        if not isinstance(group, h5py.Group):
+            raise FileError(f"{_path_of(group)}: {group.name} is no group of columns")
         self._group = group
 
     def _dataset(self, name: str) -> h5py.Dataset:
@@ -183,8 +185,9 @@ class Table(Mapping[str, Array]):
 
     def __getitem__(self, name: str) -> Array:
         dataset = self._dataset(name)
-        values = array_of(dataset)
-        return _shifted(values, origin_of(dataset.file)) if dataset.name in _POINTS else values
+        with _reading(f"{_path_of(dataset)}, {dataset.name}"):
+            values = array_of(dataset)
+            return _shifted(values, origin_of(dataset.file)) if dataset.name in _POINTS else values
 
     def __getattr__(self, name: str) -> Array:
         if name.startswith("_"):
@@ -202,10 +205,15 @@ class Table(Mapping[str, Array]):
         return [*super().__dir__(), *self]
 
     def unit(self, name: str) -> str:
-        return str(self._dataset(name).attrs.get("unit", ""))
+        return self._note(name, "unit")
 
     def description(self, name: str) -> str:
-        return str(self._dataset(name).attrs.get("description", ""))
+        return self._note(name, "description")
+
+    def _note(self, name: str, attribute: str) -> str:
+        dataset = self._dataset(name)
+        with _reading(f"{_path_of(dataset)}, {dataset.name}"):
+            return str(dataset.attrs.get(attribute, ""))
 
     def __repr__(self) -> str:
         columns = (f"{name} {self._dataset(name).shape} {self.unit(name)}" for name in self)
@@ -234,31 +242,45 @@ class Frame:
     def __init__(self, results: "Results", row: int) -> None:
         self._results, self._group, self.row = results, results._at("frames"), row
 
+    def _reading(self) -> contextlib.AbstractContextManager[None]:
+        return _reading(f"{self._results._path}, frame {self.row}")
+
     @property
     def time(self) -> float:
-        return float(rows_of(self._group["time"], self.row))
+        with self._reading():
+            return float(rows_of(self._group["time"], self.row))
 
     @property
     def displacement(self) -> Array:
-        return Array(displacement_of(self._results.file, self.row), "m", "displacement", "centroids of all elements from position0")
+        with self._reading():
+            return Array(displacement_of(self._results.file, self.row), "m", "displacement", "centroids of all elements from position0")
 
     @property
     def position(self) -> Array:
-        return Array(np.asarray(self._results.elements.position0) + np.asarray(self.displacement), "m", "position", "centroids of all elements")
+        with self._reading():
+            return Array(np.asarray(self._results.elements.position0) + np.asarray(self.displacement), "m", "position", "centroids of all elements")
 
     @property
     def quaternion(self) -> Array:
-        return array_of(self._group["quaternion"], self.row)
+        with self._reading():
+            return array_of(self._group["quaternion"], self.row)
 
     @property
     def broken(self) -> Array:
-        return array_of(self._group["broken"], self.row)
+        with self._reading():
+            return array_of(self._group["broken"], self.row)
 
     def vertices(self) -> NDArray[Any]:
         """Current positions of the vertices of all elements: v x 3, m, in the rows of /model/vertex and the axes of the case file."""
+        with self._reading():
+            return self._placed()
+
+    def _placed(self) -> NDArray[Any]:
         model = self._results.file["model"]
         first = rows_of(model["element/first_vertex"])
         corners, start = rows_of(model["vertex"]), rows_of(model["element/position0"])
+        if corners.shape != (len(corners), 3) or start.shape != (len(first), 3) or np.shape(self.quaternion) != (len(first), 4):
+            raise FileError(f"{self._results._path}: /model and /frames do not fit together")
         owner = np.searchsorted(first, np.arange(len(corners)), side="right") - 1
         position, rotation = start + np.asarray(self.displacement), rotation_matrices(self.quaternion)
         placed: NDArray[Any] = position[owner] + np.einsum("vij,vj->vi", rotation[owner], corners - start[owner])
@@ -285,7 +307,8 @@ class Frames:
         return array_of(self._results._at("frames/time"))
 
     def __len__(self) -> int:
-        return int(self._results._at("frames/time").shape[0])
+        with _reading(f"{self._results._path}, frames"):
+            return int(self._results._at("frames/time").shape[0])
 
     def __getitem__(self, row: int) -> Frame:
         count = len(self)
@@ -322,7 +345,8 @@ class Results:
     @property
     def origin(self) -> NDArray[Any]:
         """m, in the axes of the case file: what coordinates in the file itself are relative to. What has a name here has it added."""
-        return origin_of(self.file)
+        with _reading(f"{self._path}, origin"):
+            return origin_of(self.file)
 
     def refresh(self) -> None:
         """Makes rows available that an unfinished run has written since."""
@@ -344,13 +368,14 @@ class Results:
     @property
     def histories(self) -> list[str]:
         """Names of the followed elements."""
-        return [name for name in self._at("history") if name != "time"]
+        with _reading(f"{self._path}, history"):
+            return [name for name in self._at("history") if name != "time"]
 
     def history(self, name: str) -> History:
         """Motion of a followed element, by its name in [[output.history]]."""
         if name not in self.histories:
             raise VoussoirError(f"{self.folder}: no history '{name}'; there are: {', '.join(self.histories) or 'none'}")
-        return History(self._at("history")[name], self._at("history/time"))
+        return History(self._at(f"history/{name}"), self._at("history/time"))
 
     @property
     def energy(self) -> Table:
@@ -414,13 +439,14 @@ class Results:
     @property
     def walls(self) -> dict[str, dict[str, float]]:
         """Measures of each wall: fallen_mass_fraction, peak_drift, ..."""
-        group = self._at("summary").get("wall")
-        if group is None:
-            return {}
-        table = Table(group)
-        columns = {name: table[name] for name in table}
-        names = columns.pop("name")
-        return {name: {key: float(values[k]) for key, values in columns.items()} for k, name in enumerate(names)}
+        with _reading(f"{self._path}, summary/wall"):
+            group = self._at("summary").get("wall")
+            if group is None:
+                return {}
+            table = Table(group)
+            columns = {name: table[name] for name in table}
+            names = columns.pop("name")
+            return {name: {key: float(values[k]) for key, values in columns.items()} for k, name in enumerate(names)}
 
     @property
     def provenance(self) -> dict[str, Any]:
