@@ -192,11 +192,13 @@ Command add_limit(CLI::App& program) {
       ->check(number_range(1e-9, 1e15));
   words->add_option("--at", w->o.at, "X,Y,Z: where the force acts; without --on on the block that holds the point, or the first behind it")
       ->delimiter(',')
-      ->expected(3);
+      ->expected(3)
+      ->check(number_range(-1e7, 1e7));
   words
       ->add_option("--path", w->o.path,
                    "X,Y,Z,X,Y,Z,...: the force moves along this line, and acts where it meets the model; the weakest place")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->check(number_range(-1e7, 1e7));
   words->add_option("--positions", w->o.positions, "places on the path, both ends among them (default 21)")->check(CLI::Range(1, 10000));
   words->add_option("--facets", w->o.facets, "of the friction cone (default 8; plane models need none)")->check(CLI::Range(4, 64));
   words

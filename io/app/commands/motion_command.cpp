@@ -34,6 +34,8 @@ namespace voussoir::io {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr double kShortestPeriod = 1e-3, kLongestPeriod = 1e3;  // s, between which spectra are compared
+
 /// An argument: a record of three components, or the components of a file.
 struct MotionSource {
   Record record;
@@ -80,9 +82,9 @@ void prepare(MotionSource& s, const MotionOptions& o) {
 void check_spectra(const MotionOptions& o) {
   if (o.combine && !o.spectra && !o.target)
     throw cases::InputError("--combine", "is of spectra; allowed: with --spectra FILE.csv, or with --target");
-  if (!(o.fit[0] > 0.0 && o.fit[1] > o.fit[0]) || !std::isfinite(o.fit[1])) {
-    throw cases::InputError("--fit",
-                            "from " + cases::text(o.fit[0]) + " to " + cases::text(o.fit[1]) + " s; allowed: two rising periods above 0");
+  if (!(o.fit[0] >= kShortestPeriod && o.fit[1] > o.fit[0] && o.fit[1] <= kLongestPeriod)) {
+    throw cases::InputError(
+        "--fit", "from " + cases::text(o.fit[0]) + " to " + cases::text(o.fit[1]) + " s; allowed: two rising periods from 0.001 to 1000 s");
   }
 }
 
@@ -253,7 +255,7 @@ Command add_motion(CLI::App& program) {
       ->required();
   words->add_option("--spectra", w->o.spectra, "write response spectra to this CSV file");
   words->add_option("--damping", w->o.damping, "damping ratios of the spectra (default 0.02)");
-  words->add_option("--until", w->o.until, "use the first seconds only");
+  words->add_option("--until", w->o.until, "use the first seconds only")->check(number_range(1e-9, 1e9));
   words->add_option("--unit", w->o.unit, "g, m/s2 or cm/s2, where a format does not say");
   words->add_option("--dt", w->o.dt, "s between samples, where a format does not say (one column)");
   add_treatment(*words, w->o.treatment);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cases/input_error.h"
+#include "cases/names.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/foreign_text.h"
 #include "io/input/files/text_file.h"
@@ -15,6 +16,12 @@ namespace voussoir::io {
 namespace {
 
 using Parts = std::vector<std::string>;
+
+// As of motion.intensity.level.
+constexpr double kLeastAcceleration = 1e-5, kMostAcceleration = 2e5;  // m/s2
+constexpr double kLongestPeriod = 1000.0;                             // s
+
+bool is_possible(double acceleration) { return acceleration >= kLeastAcceleration && acceleration <= kMostAcceleration; }
 
 Parts parts_of(std::string_view text, std::string_view dividers) {
   Parts parts;
@@ -28,9 +35,9 @@ Parts parts_of(std::string_view text, std::string_view dividers) {
 }
 
 [[noreturn]] void refuse(const std::string& name, const std::string& problem) {
-  throw cases::InputError("--target", shown(name) + ": " + problem +
-                                          "; allowed: ec8:TYPE:GROUND:AG as in ec8:1:B:0.3g, TYPE 1 or 2, GROUND A to E, " +
-                                          "AG above 0 in g or, without a unit, in m/s2; or a file of period [s] and acceleration");
+  throw cases::InputError("--target",
+                          shown(name) + ": " + problem + "; allowed: ec8:TYPE:GROUND:AG as in ec8:1:B:0.3g, TYPE 1 or 2, GROUND A to E, " +
+                              "AG in g or, without a unit, in m/s2, from 1e-5 to 2e5 m/s2; or a file of period [s] and acceleration");
 }
 
 Eurocode8 eurocode8_of(const std::string& name) {
@@ -44,8 +51,8 @@ Eurocode8 eurocode8_of(const std::string& name) {
   e.ground = ground[0];
   const bool in_g = parts[3].ends_with('g');
   const auto ag = finite_number(std::string_view(parts[3]).substr(0, parts[3].size() - (in_g ? 1 : 0)));
-  if (!ag || !(*ag > 0.0)) refuse(name, "no acceleration " + shown(parts[3]));
-  e.ag = *ag * (in_g ? cases::kStandardGravity : 1.0);
+  e.ag = ag.value_or(0.0) * (in_g ? cases::kStandardGravity : 1.0);
+  if (!is_possible(e.ag)) refuse(name, "no acceleration " + shown(parts[3]));
   return e;
 }
 
@@ -70,11 +77,13 @@ class TargetReader {
   void line(long number, const Parts& parts) {
     const auto period = finite_number(parts[0]), value = finite_number(parts[1]);
     if (target_.period.empty() && !header_ && !period) return header(number, parts);
-    if (!period || !(*period >= 0.0)) fail(number, "period " + shown(parts[0]) + " is no number; allowed: 0 or more");
+    if (!period || !(*period >= 0.0 && *period <= kLongestPeriod))
+      fail(number, "period " + shown(parts[0]) + " is no number; allowed: 0 to 1000 s");
     if (!value || !(*value > 0.0)) fail(number, "acceleration " + shown(parts[1]) + " is no number above 0");
     if (!target_.period.empty() && !(*period > target_.period.back())) fail(number, "period " + shown(parts[0]) + " does not rise");
     target_.period.push_back(*period);
     target_.acceleration.push_back(*value);
+    lines_.push_back(number);
   }
 
   TargetSpectrum finished(const std::optional<std::string>& unit) {
@@ -82,7 +91,11 @@ class TargetReader {
       throw FileError(path_, "holds " + std::to_string(target_.period.size()) + " rows of numbers; allowed: 2 or more");
     if (!factor_ && unit) factor_ = acceleration_unit(*unit);
     if (!factor_) throw FileError(path_, "the unit of acceleration is not stated; give the file a header line 'T [s], Sa [g]', or --unit");
-    for (double& a : target_.acceleration) a *= *factor_;
+    for (std::size_t i = 0; i < target_.acceleration.size(); ++i) {
+      double& a = target_.acceleration[i];
+      a *= *factor_;
+      if (!is_possible(a)) fail(lines_[i], "an acceleration of " + cases::text(a) + " m/s2; allowed: 1e-5 to 2e5 m/s2");
+    }
     target_.name = std::filesystem::path(path_).filename().string();
     return std::move(target_);
   }
@@ -100,6 +113,7 @@ class TargetReader {
 
   std::string path_;
   TargetSpectrum target_;
+  std::vector<long> lines_;  // of the values
   std::optional<double> factor_;
   bool header_ = false;
 };

@@ -31,6 +31,8 @@ TEST_CASE("target: Eurocode 8 by its name") {
                                             {"ec8:3:B:0.3g", "no type '3'"},
                                             {"ec8:1:F:0.3g", "no ground 'F'"},
                                             {"ec8:1:B:0", "no acceleration '0'"},
+                                            {"ec8:1:B:1e300g", "no acceleration '1e300g'"},
+                                            {"ec8:1:B:1e-300", "no acceleration '1e-300'"},
                                             {"ec8:1:B:fastg", "no acceleration 'fastg'"},
                                             {"ec8:1:B:", "no acceleration ''"},
                                             {"nowhere.csv", "no such file; allowed: ec8:TYPE:GROUND:AG"}}) {
@@ -49,15 +51,18 @@ TEST_CASE("target: a file of periods and accelerations") {
 
 TEST_CASE("target: faults of a file, with their line") {
   const TempFolder folder;
-  for (const auto& [text, message] : Faults{{"0.1 1\n0.2 2\n", "the unit of acceleration is not stated"},
-                                            {"T [s], Sa [g]\n0.1, 1\n", "holds 1 rows of numbers; allowed: 2 or more"},
-                                            {"T [s], Sa [g]\n0.1, 1\n0.1, 2\n", ":3: period '0.1' does not rise"},
-                                            {"T [s], Sa [g]\n0.1, 0\n", ":2: acceleration '0' is no number above 0"},
-                                            {"T [s], Sa [g]\n-0.1, 1\n", ":2: period '-0.1' is no number; allowed: 0 or more"},
-                                            {"T [s], Sa [g]\n0.1, 1\nx, 1\n", ":3: period 'x' is no number"},
-                                            {"T [s], Sa [g]\n0.1, 1, 2\n", ":2: has 3 columns; wanted two"},
-                                            {"T [ms], Sa [g]\n0.1, 1\n", ":1: unit of the period is 'ms'; allowed: s"},
-                                            {"T [s], Sa [ft]\n0.1, 1\n", ":1: unit of acceleration is 'ft'; allowed: g"}}) {
+  for (const auto& [text, message] :
+       Faults{{"0.1 1\n0.2 2\n", "the unit of acceleration is not stated"},
+              {"T [s], Sa [g]\n0.1, 1\n", "holds 1 rows of numbers; allowed: 2 or more"},
+              {"T [s], Sa [g]\n0.1, 1\n0.1, 2\n", ":3: period '0.1' does not rise"},
+              {"T [s], Sa [g]\n0.1, 0\n", ":2: acceleration '0' is no number above 0"},
+              {"T [s], Sa [g]\n-0.1, 1\n", ":2: period '-0.1' is no number; allowed: 0 to 1000 s"},
+              {"T [s], Sa [g]\n0.1, 1\n1e300, 1\n", ":3: period '1e300' is no number; allowed: 0 to 1000 s"},
+              {"T [s], Sa [g]\n0.1, 1\n0.2, 1e300\n", ":3: an acceleration of 9.80665e+300 m/s2; allowed: 1e-5 to 2e5"},
+              {"T [s], Sa [g]\n0.1, 1\nx, 1\n", ":3: period 'x' is no number"},
+              {"T [s], Sa [g]\n0.1, 1, 2\n", ":2: has 3 columns; wanted two"},
+              {"T [ms], Sa [g]\n0.1, 1\n", ":1: unit of the period is 'ms'; allowed: s"},
+              {"T [s], Sa [ft]\n0.1, 1\n", ":1: unit of acceleration is 'ft'; allowed: g"}}) {
     CAPTURE(text);
     CHECK_THROWS_WITH_AS(read_target(folder.write("t.csv", text), {}), doctest::Contains(message), io::FileError);
   }
