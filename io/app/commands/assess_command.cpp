@@ -14,6 +14,7 @@
 #include "cases/case.h"
 #include "io/app/commands/command.h"
 #include "io/app/commands/words/common_words.h"
+#include "io/app/commands/words/number_range.h"
 #include "io/app/session/exit_code.h"
 #include "io/app/session/process.h"
 #include "io/app/session/session.h"
@@ -22,6 +23,7 @@
 #include "io/output/assess/assess_words.h"
 #include "io/output/assess/crack_map.h"
 #include "io/output/replay/run_file.h"
+#include "io/output/replay/run_state.h"
 #include "io/output/results/case_of_run.h"
 
 namespace voussoir::io {
@@ -73,6 +75,7 @@ int assess(const AssessOptions& o) {
   now_doing("reading the results");
   std::filesystem::is_directory(o.folder) ? note_run(o.folder) : note_input(o.folder);
   const Hdf5File run = open_run(o.folder);
+  note_state(run);
   const cases::Case c = case_of_run(run);
   const Building building = building_of(run);
   if (!o.maps.empty() && building.walls.empty()) throw cases::InputError("--maps", "a model of free blocks has no walls to draw");
@@ -94,12 +97,15 @@ Command add_assess(CLI::App& program) {
       program.add_subcommand("assess", "crack widths and crack maps, storey drift, forces through cuts, floor spectra of a run");
   auto o = std::make_shared<AssessOptions>();
   words->add_option("DIR", o->folder, "folder of the run, finished or not")->required();
-  words->add_option("--time", o->time, "s, of cracks: the frame nearest to it (default: the last)");
+  words->add_option("--time", o->time, "s, of cracks: the frame nearest to it (default: the last)")->check(number_range(-1e9, 1e9));
   words->add_option("--levels", o->levels, "heights of storeys above the base, m: Z,Z,... (default: foot and top of the walls)")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->check(number_range(-1e7, 1e7));
   words->add_option("--maps", o->maps, "write a crack map of every wall into this folder, as SVG");
   words->add_option("--spectra", o->spectra, "write response spectra of the followed points and of the base to this CSV file");
-  words->add_option("--damping", o->damping, "damping ratios of the spectra (default 0.05)")->delimiter(',')->check(CLI::Range(0.0, 0.99));
+  words->add_option("--damping", o->damping, "damping ratios of the spectra (default 0.05)")
+      ->delimiter(',')
+      ->check(number_range(0.0, 0.99));
   add_format(*words, o->json);
   words->add_flag("--overwrite", o->overwrite, "replace existing files");
   words->footer("example: voussoir assess results/flat20n --time 2 --maps results/flat20n/cracks");

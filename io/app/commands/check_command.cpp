@@ -35,6 +35,7 @@
 #include "io/output/drawing/drawing.h"
 #include "io/output/measures/capacity/capacity_file.h"
 #include "io/output/replay/run_file.h"
+#include "io/output/replay/run_state.h"
 #include "solver/contact/head_on.h"
 #include "solver/run/simulation.h"
 #include "solver/setup/laws/optional_laws.h"
@@ -340,6 +341,7 @@ bool is_run(const std::string& word) {
 int check_results(const std::string& run) {
   const std::size_t files = check_run(run);
   std::printf("results are as they were written: %zu %s\n", files, files == 1 ? "file" : "files");
+  note_state(open_run(run));
   return kDone;
 }
 

@@ -15,6 +15,7 @@
 #include "io/input/files/hdf5_file.h"
 #include "io/output/measures/compared_measures.h"
 #include "io/output/replay/run_file.h"
+#include "io/output/replay/run_state.h"
 #include "io/output/results/comparison.h"
 
 namespace voussoir::io {
@@ -49,6 +50,7 @@ std::string as_json(const Comparison& c, const std::string& a, const std::string
 /// file is no run). \return 0: equal; 1: not \throw FileError
 int compare(const std::string& a, const std::string& b, bool json) {
   now_doing("reading the results");
+  for (const std::string& run : {a, b}) note_state(open_run(results_of(run)));
   const Comparison c = compare_files(results_of(a), results_of(b));
   const bool same = c.differing == 0;
   if (json) {

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <memory>
 
 #include "cases/case.h"
@@ -18,6 +19,7 @@
 #include "io/input/files/output_path.h"
 #include "io/input/stones/stones.h"
 #include "io/output/replay/run_file.h"
+#include "io/output/replay/run_state.h"
 #include "io/output/report/pictures/stills.h"
 #include "io/output/results/case_of_run.h"
 #include "solver/analysis/modes.h"
@@ -25,6 +27,8 @@
 
 namespace voussoir::io {
 namespace {
+
+constexpr double kFarthest = 1e9;  // s, of a picture
 
 /// Numbers from words, which commas may divide further: {"1.2,2", "3,"}. \throw cases::InputError
 std::vector<double> numbers(const char* key, const std::vector<std::string>& words) {
@@ -34,7 +38,7 @@ std::vector<double> numbers(const char* key, const std::vector<std::string>& wor
       const std::size_t end = std::min(word.find(',', from), word.size());
       double value = 0;
       const auto [rest, fault] = std::from_chars(word.data() + from, word.data() + end, value);
-      if (from < end && (fault != std::errc() || rest != word.data() + end))
+      if (from < end && (fault != std::errc() || rest != word.data() + end || !(std::abs(value) <= kFarthest)))
         throw cases::InputError(key, "'" + word.substr(from, end - from) + "' is no number");
       if (from < end) all.push_back(value);
       from = end + 1;
@@ -61,7 +65,10 @@ std::vector<solver::Mode> modes_of(const std::string& run, int count) {
 int report_command(const ReportOptions& o) {
   start_command();
   std::vector<std::string> runs;
-  for (const std::string& folder : o.folders) note_run(folder), runs.push_back(folder + "/run.h5");
+  for (const std::string& folder : o.folders) {
+    note_run(folder), runs.push_back(folder + "/run.h5");
+    note_state(open_run(runs.back()));
+  }
   const std::string& folder = o.folders.front();
   const std::vector<double> times = numbers("--stills", o.times);
   const bool film = !o.film.file.empty();

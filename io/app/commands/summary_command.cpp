@@ -22,6 +22,7 @@
 #include "io/output/measures/measures_file.h"
 #include "io/output/measures/place_in_run.h"
 #include "io/output/replay/run_file.h"
+#include "io/output/replay/run_state.h"
 #include "io/output/results/case_of_run.h"
 
 namespace voussoir::io {
@@ -40,6 +41,7 @@ Json told(const Hdf5File& run) {
     if (has(name)) out[name] = run.attribute_double("/summary", name);
   for (const char* name : {"state_hash", "failure"})
     if (has(name)) out[name] = run.attribute_text("/summary", name);
+  out["state"] = name_of(run_state(run).end);
   return out;
 }
 
@@ -55,6 +57,7 @@ Json summary_of(const Hdf5File& run, const Measures& m, const std::optional<Capa
     const cases::Case c = case_of_run(run);
     const double end = out["end_time"];
     out["stage"] = stage_at(c, end), out["place"] = place_in_run(c, end), out["planned_end"] = c.end();
+    if (const RunState state = run_state(run); !state.words.empty()) out["rows"] = state.words;
   }
   out.update(Json::parse(measures_json(m)));
   if (capacity) out["capacity"] = Json::parse(capacity_json(*capacity, false));
@@ -148,7 +151,7 @@ void print_end(const Json& s) {
     return line("", "figures are those up to there");
   }
   line("run", "not finished: " + place);
-  line("", "figures are those so far; if it does not run any more, voussoir resume goes on");
+  line("", s["rows"].get<std::string>());
 }
 
 void print_table(const Json& s, const Measures& m) {
@@ -183,6 +186,37 @@ std::string summary_json(const Hdf5File& run) {
 
 namespace {
 
+/// What stands in a copy without its parts: facts of the model and of the run so far, but no measures, which are of all rows.
+Json rest_of(const Hdf5File& run, const std::vector<std::string>& missing) {
+  Json out = told(run);
+  out["elements"] = run.shape("/model/element/mass").at(0);
+  for (const char* table : {"history", "energy", "forces", "damage", "cracks", "frames", "cuts", "assessment"})
+    out["rows_of"][table] = run.attribute_int("/", std::string("rows_") + table);
+  out["time_first"] = run.attribute_double("/", "time_first"), out["time_last"] = run.attribute_double("/", "time_last");
+  out["parts"] = run.named_parts().size();
+  out["missing_parts"] = missing;
+  return out;
+}
+
+int print_rest(const Hdf5File& run, const std::vector<std::string>& missing, bool json) {
+  const Json s = rest_of(run, missing);
+  const std::string parts = std::to_string(missing.size()) + " of " + std::to_string(s["parts"].get<std::size_t>()) + " parts";
+  if (json) {
+    std::printf("%s\n", s.dump(1, ' ', false, Json::error_handler_t::replace).c_str());
+  } else {
+    line("run", s["state"]);
+    line("elements", std::to_string(s["elements"].get<std::uint64_t>()));
+    std::string rows;
+    for (const auto& [table, n] : s["rows_of"].items())
+      rows += (rows.empty() ? "" : ", ") + std::to_string(n.get<std::int64_t>()) + " of " + table;
+    line("rows", rows + ", from " + text("%.3f", s["time_first"]) + " to " + text("%.3f s", s["time_last"]));
+    line("missing", parts + ", with their rows");
+  }
+  std::fprintf(stderr, "voussoir: %s: %s are missing beside it, the first is %s: no measures without their rows\n", run.path().c_str(),
+               parts.c_str(), missing.front().c_str());
+  return kFileFault;
+}
+
 struct SummaryOptions {
   std::string folder;  // of the run, or its run.h5
   bool json = false;   // one JSON object instead of a table
@@ -193,6 +227,7 @@ struct SummaryOptions {
 int print_summary(const SummaryOptions& o) {
   now_doing("reading the results");
   const Hdf5File run = open_run(o.folder);
+  if (const std::vector<std::string> missing = missing_parts(run); !missing.empty()) return print_rest(run, missing, o.json);
   const Measures m = measure(run);
   const std::optional<Capacity> capacity = capacity_of(run);
   const Json summary = summary_of(run, m, capacity);

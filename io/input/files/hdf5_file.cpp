@@ -150,12 +150,16 @@ Hdf5File::Hdf5File(Hdf5File&& other) noexcept
     : path_(std::move(other.path_)),
       handle_(std::exchange(other.handle_, -1)),
       sealed_(other.sealed_),
+      is_part_(other.is_part_),
+      inspection_(std::move(other.inspection_)),
       sources_(std::move(other.sources_)) {}
 
 Hdf5File& Hdf5File::operator=(Hdf5File&& other) noexcept {
   std::swap(path_, other.path_);
   std::swap(handle_, other.handle_);
   std::swap(sealed_, other.sealed_);
+  std::swap(is_part_, other.is_part_);
+  std::swap(inspection_, other.inspection_);
   std::swap(sources_, other.sources_);
   return *this;
 }
@@ -188,21 +192,7 @@ bool Hdf5File::exists(const std::string& name) const {
   }
 }
 
-void Hdf5File::check_before_listing() const {
-  if (sealed_) hdf5::paged_file(handle_).check_all();
-}
-
-std::vector<std::string> Hdf5File::children(const std::string& group) const {
-  const Doing doing{path_, "list", group};
-  std::vector<std::string> names;
-  const auto add = [](hid_t, const char* name, const H5L_info_t*, void* out) -> herr_t {
-    static_cast<std::vector<std::string>*>(out)->emplace_back(name);
-    return 0;
-  };
-  check_before_listing();
-  doing.check(H5Literate_by_name(handle_, group.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names, H5P_DEFAULT));
-  return names;
-}
+std::string Hdf5File::seal() const { return sealed_ ? seal_text(hdf5::paged_file(handle_).seal()) : ""; }
 
 bool Hdf5File::is_group(const std::string& name) const {
   const Doing doing{path_, "read", name};
@@ -242,6 +232,7 @@ void Hdf5File::read_rows(const std::string& name, Hdf5Type type, std::uint64_t f
   const Rows part(doing, handle_, first, rows);
   const std::vector<hdf5::Piece> pieces = hdf5::pieces_of(doing, part.dataset);
   if (!pieces.empty()) {
+    if (is_part_) throw FileError(path_, name + " has its rows in other files; not followed from a part");
     const Shape whole = extent_of(doing, part.dataset);
     auto* to = static_cast<char*>(data);
     std::uint64_t bytes = size_of(type);
@@ -250,9 +241,10 @@ void Hdf5File::read_rows(const std::string& name, Hdf5Type type, std::uint64_t f
       const std::uint64_t from = std::max(first, p.first), to_row = std::min(first + rows, p.first + p.rows);
       if (from < to_row) source(p.file).read_rows(p.dataset, type, from - p.first, to_row - from, to + (from - first) * bytes);
     }
-    return;
+  } else if (!part.empty) {
+    doing.check(H5Dread(part.dataset, types_of(type).memory, part.memory, part.space, H5P_DEFAULT, data));
   }
-  if (!part.empty) doing.check(H5Dread(part.dataset, types_of(type).memory, part.memory, part.space, H5P_DEFAULT, data));
+  if (inspection_ && !part.empty) inspection_(*this, name, type, first, rows, data);
 }
 
 void Hdf5File::create_virtual(const std::string& name, Hdf5Type type, const Shape& row, std::span<const VirtualSource> sources,
@@ -277,7 +269,7 @@ void Hdf5File::create_virtual(const std::string& name, Hdf5Type type, const Shap
     const Handle source = simple_space(doing, there);
     select_rows(doing, source, there, 0, s.rows);
     select_rows(doing, space, shape, first, s.rows);
-    doing.check(H5Pset_virtual(create, space, s.file.c_str(), s.dataset.c_str(), source));
+    doing.check(H5Pset_virtual(create, space, s.file.c_str(), hdf5::virtual_name(s.dataset).c_str(), source));
     first += s.rows;
   }
   const Handle links = link_properties(doing);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -75,6 +76,16 @@ struct VirtualSource {
   std::uint64_t rows = 0, dataset_rows = 0;
 };
 
+/// A file that holds rows of another one, relative to the folder of that, and its seal (seal_text).
+struct NamedPart {
+  std::string file, seal;
+};
+
+class Hdf5File;
+/// Called with rows that have been read, before they are used. \param data  rows of `type`, one after the other
+using Inspection = std::function<void(const Hdf5File& file, const std::string& dataset, Hdf5Type type, std::uint64_t first,
+                                      std::uint64_t rows, const void* data)>;
+
 /// An open HDF5 file. Object names are paths from the root, "/a/b"; missing groups are created.
 /// Files are opened without HDF5's file locks: a file under its final name is never written to.
 class Hdf5File {
@@ -103,12 +114,21 @@ class Hdf5File {
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
   /// Whether the file was opened for reading and is sealed page by page (sealed_pages.h).
   [[nodiscard]] bool sealed() const noexcept { return sealed_; }
+  /// Its seal as text; empty if not sealed.
+  [[nodiscard]] std::string seal() const;
+  /// From now on all numbers that are read from a dataset of this file are given to this function, which throws if they make no sense.
+  void inspect(Inspection inspection) { inspection_ = std::move(inspection); }
+  /// The parts that this file names, in order, with their seals: of a file with rows in parts/. Empty: it names none. \throw FileError
+  [[nodiscard]] std::vector<NamedPart> named_parts() const;
+  /// Names files that hold rows of this one, with their seals.
+  void name_parts(std::span<const NamedPart> parts);
   /// Files that virtual datasets take rows from, relative to the folder of this one, in alphabetical order. \throw FileError
   [[nodiscard]] std::vector<std::string> sources() const;
 
   void make_group(const std::string& name);
   [[nodiscard]] bool exists(const std::string& name) const;
-  /// Paths of all datasets, in alphabetical order; one with several names once. Links to other files are refused. \throw FileError
+  /// Paths of all datasets, in alphabetical order. \throw FileError for links (soft ones, or to other files), objects with two names, among
+  /// them cycles, objects of other kinds, and values in other files
   [[nodiscard]] std::vector<std::string> datasets() const;
   /// Names in a group, in alphabetical order.
   [[nodiscard]] std::vector<std::string> children(const std::string& group) const;
@@ -140,7 +160,8 @@ class Hdf5File {
   [[nodiscard]] std::vector<std::string> read_strings(const std::string& name) const;
 
   /// Creates a virtual dataset whose rows are those of the sources, in order. Other programs read rows of a missing source as NaN, or as −1
-  /// (all bits set) in integers; this class refuses to. Without rows the dataset is an ordinary empty one. \param row  shape of a row, empty for a scalar
+  /// (all bits set) in integers; this class refuses to. Without rows the dataset is an ordinary empty one. \param row  shape of a row,
+  /// empty for a scalar
   void create_virtual(const std::string& name, Hdf5Type type, const Shape& row, std::span<const VirtualSource> sources,
                       const Hdf5Note& note = {});
 
@@ -164,15 +185,15 @@ class Hdf5File {
   [[nodiscard]] std::map<std::string, std::vector<std::string>> attributes(const std::string& object) const;
 
  private:
-  /// Checks all pages of a sealed file: HDF5 1.10 crashes if a read fails while it lists the links of a group (H5G__link_release_table).
-  void check_before_listing() const;
+  [[nodiscard]] std::vector<std::string> attribute_names(const std::string& object) const;
   [[nodiscard]] const Hdf5File& source(const std::string& file) const;
 
   Hdf5File(std::string path, std::int64_t handle) : path_(std::move(path)), handle_(handle) {}
 
   std::string path_;
   std::int64_t handle_ = -1;
-  bool sealed_ = false;
+  bool sealed_ = false, is_part_ = false;  // a part holds its rows itself
+  Inspection inspection_;
   mutable std::map<std::string, std::shared_ptr<const Hdf5File>> sources_;  // opened, by name
 };
 

@@ -142,16 +142,8 @@ std::int64_t Hdf5File::attribute_int(const std::string& object, const std::strin
 
 std::map<std::string, std::vector<std::string>> Hdf5File::attributes(const std::string& object) const {
   const Doing doing{path_, "list the attributes of", object};
-  std::vector<std::string> names;
-  const auto add = [](hid_t, const char* name, const H5A_info_t*, void* out) -> herr_t {
-    static_cast<std::vector<std::string>*>(out)->emplace_back(name);
-    return 0;
-  };
-  check_before_listing();
-  hsize_t first = 0;
-  doing.check(H5Aiterate_by_name(handle_, object.c_str(), H5_INDEX_NAME, H5_ITER_INC, &first, add, &names, H5P_DEFAULT));
   std::map<std::string, std::vector<std::string>> all;
-  for (const std::string& name : names) {
+  for (const std::string& name : attribute_names(object)) {
     const Handle attribute = open_attribute(doing, handle_, name);
     const Handle type = doing.own(H5Aget_type(attribute), H5Tclose);
     if (H5Tis_variable_str(type) > 0) {

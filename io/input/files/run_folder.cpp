@@ -10,8 +10,10 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -153,11 +155,20 @@ bool is_lock(int file) {
   return is.st_size == 0 || (text.ends_with('\n') && digits_only(text.substr(0, text.size() - 1)));
 }
 
+/// Takes the lock. Tries for a moment, since a reader that looks at it holds it, too (holder_of).
+bool locks(int file) {
+  for (int attempt = 0;; ++attempt) {
+    if (::flock(file, LOCK_EX | LOCK_NB) == 0) return true;
+    if (errno != EWOULDBLOCK || attempt == 10) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+}
+
 int take_lock(const std::string& folder) {
   refuse_odd_file(folder + "/.lock");
   Descriptor lock(folder + "/.lock", O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK);
   if (!is_lock(lock.id())) throw FileError(folder + "/.lock", "is no lock of a run, and would be overwritten by one; give another folder");
-  if (::flock(lock.id(), LOCK_EX | LOCK_NB) != 0) {
+  if (!locks(lock.id())) {
     if (errno == EWOULDBLOCK) throw FileError(folder, "is in use by " + holder(lock.id()) + "; give another folder or wait for it to end");
     throw FileError(folder + "/.lock", "cannot lock: " + system_words(errno));
   }
@@ -175,6 +186,15 @@ std::optional<long> checkpoint_number(const std::string& name) {
   const std::string digits = name.substr(kHead.size(), name.size() - kHead.size() - kTail.size());
   if (digits.size() > 9 || digits.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
   return std::stol(digits);
+}
+
+std::optional<std::string> holder_of(const std::string& folder) {
+  const int lock = ::open((folder + "/.lock").c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (lock < 0) return std::nullopt;
+  std::optional<std::string> found;
+  if (is_lock(lock)) found = ::flock(lock, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK ? holder(lock) : "";
+  ::close(lock);
+  return found;
 }
 
 RunFolder::RunFolder(std::string path) : path_(std::move(path)) {

@@ -15,6 +15,9 @@ inline constexpr std::string_view kResolvedHead = "# All keys of the case with t
 /// The number in "checkpoint-000012.h5"; nothing for other names.
 std::optional<long> checkpoint_number(const std::string& name);
 
+/// What holds the folder of a run, as "process 12"; empty: nothing does. None: there is no lock file, as in a copy, or it cannot be read.
+std::optional<std::string> holder_of(const std::string& folder);
+
 /// A locked folder. Only one process can hold the lock, which ends with the process.
 class RunFolder {
  public:

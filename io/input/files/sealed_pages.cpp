@@ -64,7 +64,7 @@ void read_at(int file, const std::string& path, std::uint64_t at, std::size_t by
 
 }  // namespace
 
-void seal_pages(const std::string& path) {
+std::uint32_t seal_pages(const std::string& path) {
   const Descriptor file(path, O_RDWR);
   const std::uint64_t end = regular_size(file.id(), path);
   std::string digests;
@@ -79,7 +79,15 @@ void seal_pages(const std::string& path) {
     write_all(file.id(), bytes.data(), bytes.size(), path);
   };
   put(end, digests);
-  put(0, head_of(end - kSealBytes, digest(digests.data(), digests.size())));
+  const std::uint32_t seal = digest(digests.data(), digests.size());
+  put(0, head_of(end - kSealBytes, seal));
+  return seal;
+}
+
+std::string seal_text(std::uint32_t seal) {
+  std::array<char, 9> text{};
+  std::snprintf(text.data(), text.size(), "%08x", seal);
+  return text.data();
 }
 
 // Not blocking, since a pipe would wait for a writer.

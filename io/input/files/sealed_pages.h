@@ -22,8 +22,12 @@ namespace voussoir::io {
 /// Start of the header.
 inline constexpr const char* kSealedHdf5 = "voussoir sealed HDF5 1\n";
 
-/// Adds header and digests to a complete HDF5 file that was created with a head of kSealBytes. \throw FileError
-void seal_pages(const std::string& path);
+/// Adds header and digests to a complete HDF5 file that was created with a head of kSealBytes. \return its seal, the CRC-32 of its digests
+/// \throw FileError
+std::uint32_t seal_pages(const std::string& path);
+
+/// A seal as text: eight hexadecimal digits.
+std::string seal_text(std::uint32_t seal);
 
 /// A file for reading: sealed, or HDF5 from its first byte (written by an earlier version), which is read unchecked.
 class PagedFile {

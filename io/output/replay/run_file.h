@@ -16,8 +16,13 @@ inline constexpr std::int64_t kSealedSchema = 6;
 
 /// Opens the results of a run, given as its folder or its run.h5. A file of an earlier version, which is not sealed, is noted on standard
 /// error.
-/// \throw FileError if the file holds no results, has a later schema than this program knows, or lacks the seal that its schema has
+/// Links, values in other files, and shapes are checked at once, numbers as they are read (run_values.h).
+/// \throw FileError if the file holds no results, has a later schema than this program knows, lacks the seal that its schema has, or makes
+/// no sense
 Hdf5File open_run(const std::string& path);
+
+/// Parts that the file names and that are not beside it. \throw FileError
+std::vector<std::string> missing_parts(const Hdf5File& run);
 
 /// Reads all of a run, and its parts: every byte of what is sealed. Returns the number of files. \throw FileError
 std::size_t check_run(const std::string& path);

@@ -25,6 +25,7 @@
 #include "io/output/measures/measures_file.h"
 #include "io/output/measures/place_in_run.h"
 #include "io/output/replay/frame_reader.h"
+#include "io/output/replay/run_state.h"
 #include "io/output/report/report_capacity.h"
 #include "io/output/report/report_plots.h"
 #include "io/output/results/case_of_run.h"
@@ -293,6 +294,7 @@ void add_place(const Hdf5File& file, const std::optional<LoadedCase>& c, double 
   if (summary.value("finished", 0.0) != 0.0) return;
   const double end = summary.value("end_time", last_frame);
   summary["place"] = c ? place_in_run(c->value, end) : geometry::printed("at %.3f s", end);
+  if (const RunState state = run_state(file); !state.words.empty()) summary["place"] = std::string(summary["place"]) + "; " + state.words;
   if (file.has_attribute("/summary", "failure")) summary["failure"] = file.attribute_text("/summary", "failure");
 }
 

@@ -183,7 +183,7 @@ class Comparer {
     if (!a_.exists(group) || !b_.exists(group)) return;
     const auto p = a_.attributes(group), q = b_.attributes(group);
     for (const auto& [name, value] : p) {
-      if (group == "/" && name == "parts") continue;  // the layout of rows, not their contents
+      if (group == "/" && (name == "parts" || name == "part_seals")) continue;  // the layout of rows, not their contents
       const auto other = q.find(name);
       if (group == "/case" && name == "toml" && other != q.end() && meaning_of_case(a_) == meaning_of_case(b_)) continue;
       if (other == q.end() || other->second != value) note_attribute(group, name);

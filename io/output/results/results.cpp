@@ -33,6 +33,7 @@ void write_provenance(Hdf5File& file, const Provenance& p, double wall_clock) {
   file.set_attribute(at, "threads", std::int64_t{p.threads});
   file.set_attribute(at, "started", p.started);
   file.set_attribute(at, "ended", p.ended);
+  file.set_attribute(at, "written", utc_now());
   file.set_attribute(at, "wall_clock", wall_clock);
   file.set_attribute(at, "units", std::string("wall_clock: s, of this process until this file was written; dates: UTC"));
 }
@@ -236,7 +237,8 @@ void ResultsWriter::assessment(const solver::AssessmentRow& row) {
   RowBuffer& to = table(RowTable::assessment);
   if (!to.begin(row.time)) return;
   std::size_t column = 1;
-  for (const double value : {row.factor, row.displacement, row.drift, row.moved, row.base_shear, row.support_moved, row.over, row.unbalanced})
+  for (const double value :
+       {row.factor, row.displacement, row.drift, row.moved, row.base_shear, row.support_moved, row.over, row.unbalanced})
     to.put(column++, value);
   write_if_due();
 }

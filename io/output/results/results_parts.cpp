@@ -95,18 +95,20 @@ RowCounts rows_of(std::span<const Part> parts) noexcept {
   return sum;
 }
 
-void write_file(const std::string& path, const std::function<void(Hdf5File&)>& fill, std::string temporary) {
+std::string write_file(const std::string& path, const std::function<void(Hdf5File&)>& fill, std::string temporary) {
   if (temporary.empty()) temporary = cleared(path + ".tmp");
+  std::string seal;
   try {
     Hdf5File file = Hdf5File::create(temporary, kSealBytes);
     fill(file);
     file.close();
-    seal_pages(temporary);
+    seal = seal_text(seal_pages(temporary));
   } catch (...) {
     ::unlink(temporary.c_str());
     throw;
   }
   replace_file(temporary, path);
+  return seal;
 }
 
 Part write_part(const std::string& folder, const std::string& file, const RowSchema& schema,
@@ -121,7 +123,7 @@ Part write_part(const std::string& folder, const std::string& file, const RowSch
     part.first_time = std::min(part.first_time, buffers[t].first_time());
     part.last_time = std::max(part.last_time, buffers[t].last_time());
   }
-  write_file(folder + "/" + file, [&](Hdf5File& out) {
+  part.seal = write_file(folder + "/" + file, [&](Hdf5File& out) {
     state_rows(out, part);
     for (std::size_t t = 0; t < kRowTables; ++t)
       for (std::size_t i = 0; part.rows[t] > 0 && i < schema[t].size(); ++i) {
@@ -134,6 +136,9 @@ Part write_part(const std::string& folder, const std::string& file, const RowSch
 
 void link_rows(Hdf5File& file, const RowSchema& schema, std::span<const Part> parts) {
   state_rows(file, total(parts));
+  std::vector<NamedPart> named;
+  for (const Part& p : parts) named.push_back({p.file, p.seal});
+  file.name_parts(named);
   std::vector<VirtualSource> sources;
   for (std::size_t t = 0; t < kRowTables; ++t)
     for (const ColumnSpec& c : schema[t]) {
@@ -157,6 +162,8 @@ void copy_rows(Hdf5File& file, const std::string& folder, const RowSchema& schem
     }
   for (const Part& p : parts) {
     const Hdf5File from = Hdf5File::open(folder + "/" + p.file);
+    if (from.seal() != p.seal)
+      throw FileError(from.path(), "has been replaced since it was written: its seal is " + from.seal() + ", not " + p.seal);
     for (std::size_t t = 0; t < kRowTables; ++t)
       for (ColumnCopy& c : copies[t]) c.add(from, p.rows[t]);
   }

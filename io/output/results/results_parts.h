@@ -21,6 +21,7 @@ struct Part {
   std::string file;  // relative to the folder of the run
   RowCounts rows{};
   double first_time = 0, last_time = 0;  // s, over all tables
+  std::string seal;                      // of the file; empty: not sealed, of an earlier version
 };
 
 /// File name as "parts/0012.h5".
@@ -29,16 +30,16 @@ struct Part {
 /// Total numbers of rows of the parts.
 [[nodiscard]] RowCounts rows_of(std::span<const Part> parts) noexcept;
 
-/// Creates a file under a temporary name by `fill`, seals it (sealed_pages.h), and renames it once it is complete and on disk (see replace_file).
-/// \param temporary  none: PATH.tmp, unique since only one process uses the locked folder of a run
-/// \throw FileError, or the exception of `fill`; the existing file with this name is then unchanged
-void write_file(const std::string& path, const std::function<void(Hdf5File&)>& fill, std::string temporary = {});
+/// Creates a file under a temporary name by `fill`, seals it (sealed_pages.h), and renames it once it is complete and on disk (see
+/// replace_file). \param temporary  none: PATH.tmp, unique since only one process uses the locked folder of a run \return the seal \throw
+/// FileError, or the exception of `fill`; the existing file with this name is then unchanged
+std::string write_file(const std::string& path, const std::function<void(Hdf5File&)>& fill, std::string temporary = {});
 
 /// Writes the buffered rows as the file `folder`/`file`, and returns its description. \throw FileError
 Part write_part(const std::string& folder, const std::string& file, const RowSchema& schema,
                 std::span<const RowBuffer, kRowTables> buffers);
 
-/// Adds all rows of the parts as virtual datasets that refer to the parts.
+/// Adds all rows of the parts as virtual datasets that refer to the parts, and names these with their seals.
 void link_rows(Hdf5File& file, const RowSchema& schema, std::span<const Part> parts);
 /// Copies all rows of the parts.
 void copy_rows(Hdf5File& file, const std::string& folder, const RowSchema& schema, std::span<const Part> parts);

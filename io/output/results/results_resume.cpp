@@ -13,7 +13,8 @@ namespace voussoir::io {
 namespace {
 
 constexpr std::int64_t kUnsealed = kSealedSchema - 1;  // the same layout without seals
-constexpr std::uint64_t kPieceBytes = 1024 * 1024;  // of a column in memory at a time during a check
+constexpr const char* kCutFrom = "cut_from";           // attribute of a part: the seal of the one whose first rows it has
+constexpr std::uint64_t kPieceBytes = 1024 * 1024;     // of a column in memory at a time during a check
 
 std::string time_column(std::size_t table) { return std::string("/") + table_name(static_cast<RowTable>(table)) + "/time"; }
 
@@ -40,15 +41,31 @@ void check_values(const Hdf5File& file, const TableSpec& columns, std::uint64_t 
   }
 }
 
-Part read_part(const std::string& folder, const std::string& name, const RowSchema& schema) {
+/// Parts that run.h5 names, with their seals; none if it holds all rows, is of an earlier version or not there.
+std::vector<NamedPart> named_parts(const std::string& folder) {
+  const std::string run = folder + "/run.h5";
+  return std::filesystem::exists(run) ? Hdf5File::open(run).named_parts() : std::vector<NamedPart>();
+}
+
+/// Refuses a part that is not the one that run.h5 names; it may be what an earlier resume has left of that one, before it was killed.
+void check_seal(const Hdf5File& part, const std::string& named) {
+  if (named.empty() || part.seal() == named) return;
+  if (part.has_attribute("/", kCutFrom) && part.attribute_text("/", kCutFrom) == named) return;
+  throw FileError(part.path(), "is not the part that run.h5 was written with: it is of another run, or of another time of this one");
+}
+
+Part read_part(const std::string& folder, const std::string& name, const std::string& seal, const RowSchema& schema) {
   const Hdf5File file = Hdf5File::open(folder + "/" + name);
   if (!file.has_attribute("/", "schema_version")) throw FileError(file.path(), "holds no results of voussoir");
   if (const std::int64_t version = file.attribute_int("/", "schema_version"); version != kResultsSchema && version != kUnsealed)
     throw FileError(file.path(), "has version " + std::to_string(version) + " of the results' layout; this program goes on with version " +
                                      std::to_string(kUnsealed) + " and " + std::to_string(kResultsSchema) + " only");
-  if (file.attribute_int("/", "schema_version") >= kSealedSchema && !file.sealed()) throw FileError(file.path(), "is damaged: it has lost its seal");
+  if (file.attribute_int("/", "schema_version") >= kSealedSchema && !file.sealed())
+    throw FileError(file.path(), "is damaged: it has lost its seal");
+  check_seal(file, seal);
   Part part;
   part.file = name;
+  part.seal = file.seal();
   part.first_time = file.attribute_double("/", "time_first");
   part.last_time = file.attribute_double("/", "time_last");
   for (std::size_t t = 0; t < kRowTables; ++t) {
@@ -58,6 +75,14 @@ Part read_part(const std::string& folder, const std::string& name, const RowSche
     check_values(file, schema[t], part.rows[t]);
   }
   return part;
+}
+
+/// Writes a part anew, sealed, with the rows that are kept of it. \param named  seal of it in run.h5, empty: none
+void write_again(const std::string& folder, const RowSchema& schema, const std::string& named, Part& part) {
+  part.seal = write_file(folder + "/" + part.file, [&](Hdf5File& out) {
+    if (!named.empty()) out.set_attribute("/", kCutFrom, named);
+    copy_rows(out, folder, schema, {&part, 1});
+  });
 }
 
 /// The part without rows later than `until`.
@@ -104,18 +129,21 @@ void take_merged(const std::string& folder) {
 
 std::vector<Part> keep_parts(const std::string& folder, const RowSchema& schema, const EarlierRows& earlier) {
   take_merged(folder);
+  const std::vector<NamedPart> named = named_parts(folder);
+  const auto seal_of = [&](std::size_t i) { return i < named.size() ? named[i].seal : ""; };
   std::vector<Part> parts;
   bool cut = false;
   for (std::size_t i = 0; std::filesystem::exists(folder + "/" + part_name(i)); ++i) {
-    Part part = read_part(folder, part_name(i), schema);
+    Part part = read_part(folder, part_name(i), seal_of(i), schema);
     if (part.first_time > earlier.until) break;
     cut = part.last_time > earlier.until;
     parts.push_back(cut ? part_until(folder, std::move(part), earlier.until) : std::move(part));
     if (cut) break;
   }
   if (earlier.rows) check_counts(folder, rows_of(parts), *earlier.rows);
-  if (cut) {
-    write_file(folder + "/" + parts.back().file, [&](Hdf5File& out) { copy_rows(out, folder, schema, {&parts.back(), 1}); });
+  for (Part& p : parts) {
+    const bool last = &p == &parts.back();
+    if (p.seal.empty() || (cut && last)) write_again(folder, schema, cut && last ? seal_of(parts.size() - 1) : "", p);
   }
   return parts;
 }

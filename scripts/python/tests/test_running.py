@@ -3,10 +3,16 @@
 """Runs that are stopped and go on; studies."""
 
 import csv
+import json
+import shutil
 import signal
 import subprocess
 import sys
 import textwrap
+import time
+import warnings
+
+import numpy as np
 
 import voussoir
 from fixture import HERE, InAFolder, blocks
@@ -64,6 +70,82 @@ class Running(InAFolder):
         with self.assertRaisesRegex(RuntimeError, "of the caller"):
             blocks().run(self.folder / "run", until=LONG, threads=1, progress=bad)
         self.assertFalse(voussoir.Run(self.folder / "run").finished)
+
+
+    def test_a_reader_that_was_open_while_the_run_ended_has_rows_or_an_error(self):
+        case, folder = blocks(LONG).write(self.folder / "blocks.toml"), self.folder / "run"
+        child = subprocess.Popen([voussoir.program(), "run", case, "-o", folder, "-j", "1", "--quiet", "--checkpoint-every", "0.1"],
+                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        opened, states, last = [], set(), 0
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", voussoir.ProgramWarning)
+            while child.poll() is None:
+                parts = len(list(folder.glob("parts/*.h5")))
+                if (folder / "run.h5").exists() and parts > last and len(opened) < 20:
+                    last = parts
+                    run = voussoir.Run(folder)
+                    opened.append((run, len(run.damage._dataset("bonded"))))  # opened now, read after the end
+                    states.add(run.state)
+                    for time in self.rows_or_error(run.energy):
+                        self.assertFalse(np.isnan(time).any())
+            self.assertEqual(child.returncode, 0)
+            self.assertIn("goes on", states)
+            self.assertLessEqual(states, {"goes on", "finished"})
+            errors = 0
+            for run, rows in opened:
+                found = self.rows_or_error(run.energy, run.damage)
+                errors += not found
+                for column in found:
+                    self.assertEqual(len(column), len(found[0]))
+                    self.assertFalse(np.isnan(column).any())
+                    self.assertGreaterEqual(column.min(initial=0), 0)  # counts and times; a fill value is NaN or -1
+                if rows and found:
+                    self.assertEqual(len(found[-1]), rows)
+            self.assertGreater(errors, 0)  # some were open with parts that are gone now
+            for run, _ in opened:
+                run.refresh()
+            self.assertEqual({run.state for run, _ in opened}, {"finished"})
+            self.assertEqual({len(run.energy.time) for run, _ in opened}, {len(voussoir.Run(folder).energy.time)})
+
+    def rows_or_error(self, *tables):
+        try:
+            return [np.asarray(table[name]) for table in tables for name in ("time", "bonded") if name in table]
+        except voussoir.FileError as error:
+            self.assertRegex(str(error), r"parts/\d+\.h5.*(is missing|is not the part)")
+            return []
+
+    def test_a_copy_without_its_parts(self):
+        run = self.killed()
+        copy = self.folder / "copy"
+        copy.mkdir()
+        shutil.copy(run / "run.h5", copy)
+        with self.assertWarnsRegex(voussoir.ProgramWarning, r"(\d+) of \1 parts are missing beside it, the first is parts/0000.h5"):
+            found = voussoir.Run(copy)
+            self.assertEqual(list(found.elements.tag), ["lower", "upper"])
+        self.assertEqual((found.state, found.finished, found.case["title"]), ("unknown", False, "Two bonded blocks"))
+        self.assertIn(len(list((run / "parts").iterdir())) - len(found.missing_parts), (0, 1))  # killed before run.h5 named the last
+        with self.assertRaisesRegex(voussoir.FileError, r"parts/0000.h5: is missing \((\d+) of \1 parts are\)"):
+            _ = found.energy.kinetic
+        done = subprocess.run([voussoir.program(), "summary", copy, "--format", "json"], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 3)
+        self.assertRegex(done.stderr, "parts are missing beside it, the first is parts/0000.h5")
+        said = json.loads(done.stdout)
+        self.assertEqual((said["state"], said["elements"], len(said["missing_parts"])), ("unknown", 2, len(found.missing_parts)))
+        self.assertEqual(said["rows_of"]["energy"], len(found.energy._dataset("time")))
+        (copy / "parts").mkdir()
+        shutil.copy(run / "parts/0000.h5", copy / "parts")
+        self.assertEqual(float(voussoir.Run(copy).frames[0].time), 0.0)  # its rows are there
+
+    def killed(self):
+        case, folder = blocks(LONG).write(self.folder / "blocks.toml"), self.folder / "run"
+        child = subprocess.Popen([voussoir.program(), "run", case, "-o", folder, "-j", "1", "--quiet", "--checkpoint-every", "0.1"],
+                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        while not (folder / "parts/0002.h5").exists() and child.poll() is None:
+            time.sleep(0.01)
+        child.kill()
+        child.wait()
+        self.assertEqual(voussoir.Run(folder).state, "stopped")
+        return folder
 
 
 class Studies(InAFolder):

@@ -8,7 +8,6 @@ Names, shapes and meanings are those of io/RESULTS.md.
 import contextlib
 import os
 import pathlib
-import re
 import tomllib
 import warnings
 from collections.abc import Iterator, Mapping
@@ -19,7 +18,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .errors import FileError, ProgramWarning, VoussoirError
-from .sealed import check_seal
+from .reading import NoData, missing_parts, open_paged, open_results, parts_of, path_of, reading, rows_of, state_of
+
+__all__ = ["Array", "Frame", "Frames", "History", "Results", "Table", "array_of", "displacement_of", "open_results", "origin_of", "rotation_matrices",
+           "rows_of"]
 
 
 class Array(np.ndarray[Any, Any]):
@@ -41,95 +43,6 @@ class Array(np.ndarray[Any, Any]):
     def __array_wrap__(self, array: NDArray[Any], context: Any = None, return_scalar: bool = False) -> Any:
         plain = np.asarray(array)
         return plain[()] if plain.ndim == 0 else plain
-
-
-def open_results(path: str | os.PathLike[str]) -> h5py.File:
-    """Opens the run.h5 of a run, given as its folder or as the file. Raises FileError."""
-    path = pathlib.Path(path)
-    path = path / "run.h5" if path.is_dir() else path
-    if not path.exists():
-        raise FileError(f"{path}: no such file; wanted the folder of a run, or its run.h5")
-    file, sealed = _open(path)
-    with _reading(str(path)):
-        known, version = file.attrs.get("format"), int(file.attrs.get("schema_version", 0))
-    if known != "voussoir results":
-        raise FileError(f"{path}: holds no results of Voussoir")
-    if version > SCHEMA:
-        raise FileError(f"{path}: has schema_version {version}; this package reads up to {SCHEMA}: a later program wrote it")
-    if version >= SEALED_SCHEMA and not sealed:
-        raise FileError(f"{path}: is damaged: it has lost its seal")
-    if not sealed:
-        warnings.warn(f"{path}: not sealed (schema {version}): damage to it may stay unnoticed", ProgramWarning, stacklevel=3)
-    return file
-
-
-SCHEMA, SEALED_SCHEMA = 6, 6  # the newest layout of run.h5 that is known; the first whose files are sealed
-_PART = re.compile(r"parts/\d+\.h5")
-
-
-class NoData(FileError, KeyError, AttributeError):
-    """A group, column or attribute that results do not have."""
-
-    __str__ = Exception.__str__
-
-
-@contextlib.contextmanager
-def _reading(what: str) -> Iterator[None]:
-    """Makes every error of h5py a FileError."""
-    try:
-        yield
-    except VoussoirError:
-        raise
-    except KeyError as error:
-        raise NoData(f"{what}: {error.args[0] if error.args else error}") from error
-    except (OSError, RuntimeError, ValueError, TypeError, MemoryError, UnicodeError, OverflowError, AttributeError, IndexError) as error:
-        raise FileError(f"{what}: cannot be read: {error}") from error
-
-
-def _open(path: pathlib.Path) -> tuple[h5py.File, bool]:
-    """An HDF5 file of which every byte is what was written, and whether that is known."""
-    sealed = check_seal(path)
-    with _reading(str(path)):
-        return h5py.File(path, "r"), sealed
-
-
-def _path_of(dataset: Any) -> pathlib.Path:
-    return pathlib.Path(dataset.file.filename)
-
-
-def rows_of(dataset: h5py.Dataset, rows: Any = ()) -> NDArray[Any]:
-    """Values of a dataset, or some of its rows. Rows in parts are read from there; HDF5 itself would give NaN for those it cannot read."""
-    with _reading(f"{_path_of(dataset)}, {dataset.name}"):
-        if not dataset.is_virtual:
-            if dataset.external:
-                raise FileError(f"{_path_of(dataset)}: {dataset.name} has its values in another file; not followed")
-            if dataset.nbytes > dataset.id.get_storage_size():
-                raise FileError(f"{_path_of(dataset)}: {dataset.name} claims {dataset.nbytes} bytes; the file has fewer")
-            plain: NDArray[Any] = dataset[rows]
-            return plain
-        pieces = [_piece(dataset, source) for source in dataset.virtual_sources()]
-        whole: NDArray[Any] = np.concatenate(pieces) if pieces else np.empty(dataset.shape, dataset.dtype)
-        if whole.shape != dataset.shape:
-            raise FileError(f"{_path_of(dataset)}: {dataset.name} has rows that are in no file")
-        taken: NDArray[Any] = whole[rows]
-        return taken
-
-
-def _piece(dataset: h5py.Dataset, source: Any) -> NDArray[Any]:
-    if not _PART.fullmatch(source.file_name) or source.dset_name != dataset.name:
-        raise FileError(f"{_path_of(dataset)}: {dataset.name} refers to {source.file_name}; only parts/NNNN.h5 in the same folder are read")
-    path = _path_of(dataset).parent / source.file_name
-    if not path.exists():
-        raise FileError(f"{path}: is missing. Rows of a run that has not ended are in parts/ beside run.h5, and a copy needs them; "
-                        "if the run has gone on or ended since, refresh() reads it again")
-    file, sealed = _open(path)
-    try:
-        if not sealed and int(dataset.file.attrs["schema_version"]) >= SEALED_SCHEMA:
-            raise FileError(f"{path}: is damaged: it has lost its seal")
-        first, last = source.vspace.get_select_bounds()
-        return rows_of(file[source.dset_name])[:last[0] - first[0] + 1]
-    finally:
-        file.close()
 
 
 def array_of(dataset: h5py.Dataset, rows: Any = ()) -> Array:
@@ -173,11 +86,11 @@ class Table(Mapping[str, Array]):
 
     def __init__(self, group: h5py.Group) -> None:
         if not isinstance(group, h5py.Group):
-            raise FileError(f"{_path_of(group)}: {group.name} is no group of columns")
+            raise FileError(f"{path_of(group)}: {group.name} is no group of columns")
         self._group = group
 
     def _dataset(self, name: str) -> h5py.Dataset:
-        with _reading(f"{_path_of(self._group)}, {self._group.name}"):
+        with reading(f"{path_of(self._group)}, {self._group.name}"):
             found = self._group.get(name)
         if not isinstance(found, h5py.Dataset):
             raise NoData(f"{self._group.name} has no '{name}'; there are: {', '.join(self) or 'none'}")
@@ -185,7 +98,7 @@ class Table(Mapping[str, Array]):
 
     def __getitem__(self, name: str) -> Array:
         dataset = self._dataset(name)
-        with _reading(f"{_path_of(dataset)}, {dataset.name}"):
+        with reading(f"{path_of(dataset)}, {dataset.name}"):
             values = array_of(dataset)
             return _shifted(values, origin_of(dataset.file)) if dataset.name in _POINTS else values
 
@@ -195,7 +108,7 @@ class Table(Mapping[str, Array]):
         return self[name]
 
     def __iter__(self) -> Iterator[str]:
-        with _reading(f"{_path_of(self._group)}, {self._group.name}"):
+        with reading(f"{path_of(self._group)}, {self._group.name}"):
             return iter([name for name, data in self._group.items() if isinstance(data, h5py.Dataset)])
 
     def __len__(self) -> int:
@@ -212,7 +125,7 @@ class Table(Mapping[str, Array]):
 
     def _note(self, name: str, attribute: str) -> str:
         dataset = self._dataset(name)
-        with _reading(f"{_path_of(dataset)}, {dataset.name}"):
+        with reading(f"{path_of(dataset)}, {dataset.name}"):
             return str(dataset.attrs.get(attribute, ""))
 
     def __repr__(self) -> str:
@@ -243,7 +156,7 @@ class Frame:
         self._results, self._group, self.row = results, results._at("frames"), row
 
     def _reading(self) -> contextlib.AbstractContextManager[None]:
-        return _reading(f"{self._results._path}, frame {self.row}")
+        return reading(f"{self._results._path}, frame {self.row}")
 
     @property
     def time(self) -> float:
@@ -252,8 +165,7 @@ class Frame:
 
     @property
     def displacement(self) -> Array:
-        with self._reading():
-            return Array(displacement_of(self._results.file, self.row), "m", "displacement", "centroids of all elements from position0")
+        return Array(displacement_of(self._results._checked, self.row), "m", "displacement", "centroids of all elements from position0")
 
     @property
     def position(self) -> Array:
@@ -272,11 +184,7 @@ class Frame:
 
     def vertices(self) -> NDArray[Any]:
         """Current positions of the vertices of all elements: v x 3, m, in the rows of /model/vertex and the axes of the case file."""
-        with self._reading():
-            return self._placed()
-
-    def _placed(self) -> NDArray[Any]:
-        model = self._results.file["model"]
+        model = self._results._checked["model"]
         first = rows_of(model["element/first_vertex"])
         corners, start = rows_of(model["vertex"]), rows_of(model["element/position0"])
         if corners.shape != (len(corners), 3) or start.shape != (len(first), 3) or np.shape(self.quaternion) != (len(first), 4):
@@ -307,7 +215,7 @@ class Frames:
         return array_of(self._results._at("frames/time"))
 
     def __len__(self) -> int:
-        with _reading(f"{self._results._path}, frames"):
+        with reading(f"{self._results._path}, frames"):
             return int(self._results._at("frames/time").shape[0])
 
     def __getitem__(self, row: int) -> Frame:
@@ -333,42 +241,71 @@ class Results:
         """folder: that of a run, or its run.h5."""
         path = pathlib.Path(folder)
         self.folder = path.parent if path.name == "run.h5" else path
-        self._path, self._file = path, None
+        self._path, self._paged, self._file = path, None, None
+        self._tells = True  # warns of a run that is not at its end
 
     @property
     def file(self) -> h5py.File:
-        """The HDF5 file itself, for data without a method here."""
+        """The HDF5 file itself, for data without a method here: all of it is checked first. Of rows in parts that are gone HDF5 makes NaN."""
         if self._file is None:
             self._file = open_results(self._path)
         return self._file
 
     @property
+    def _checked(self) -> h5py.File:
+        """The file, of which what is read is checked."""
+        if self._paged is None:
+            self._paged = open_paged(self._path)
+            if self._tells:
+                self._tell()
+        return self._paged
+
+    def _tell(self) -> None:
+        path = path_of(self._paged)
+        if words := state_of(self._paged)[1]:
+            warnings.warn(f"{path}: not finished: {words}", ProgramWarning, stacklevel=4)
+        if missing := self.missing_parts:
+            warnings.warn(f"{path}: {len(missing)} of {len(parts_of(self._paged))} parts are missing beside it, the first is {missing[0]}; their rows "
+                          "cannot be read", ProgramWarning, stacklevel=4)
+
+    @property
+    def missing_parts(self) -> list[str]:
+        """Parts of an unfinished run that are not beside run.h5, as in a copy without them: reading their rows is a FileError."""
+        return missing_parts(self._checked)
+
+    @property
+    def state(self) -> str:
+        """finished; lost: to a numerical failure; goes on: a process works on it; stopped, also by a kill: none does; unknown: a copy of an
+        unfinished run. As when it was opened or refreshed, but for what another process does now."""
+        return state_of(self._checked)[0]
+
+    @property
     def origin(self) -> NDArray[Any]:
         """m, in the axes of the case file: what coordinates in the file itself are relative to. What has a name here has it added."""
-        with _reading(f"{self._path}, origin"):
-            return origin_of(self.file)
+        return origin_of(self._checked)
 
     def refresh(self) -> None:
         """Makes rows available that an unfinished run has written since."""
         self.close()
 
     def close(self) -> None:
-        if self._file is not None:
-            self._file.close()
-        self._file = None
+        for file in (self._file, self._paged):
+            if file is not None:
+                file.close()
+        self._file = self._paged = None
 
     def _table(self, name: str) -> Table:
         return Table(self._at(name))
 
     def _at(self, name: str) -> Any:
         """A group or dataset of the file. Raises FileError."""
-        with _reading(f"{self._path}, {name}"):
-            return self.file[name]
+        with reading(f"{self._path}, {name}"):
+            return self._checked[name]
 
     @property
     def histories(self) -> list[str]:
         """Names of the followed elements."""
-        with _reading(f"{self._path}, history"):
+        with reading(f"{self._path}, history"):
             return [name for name in self._at("history") if name != "time"]
 
     def history(self, name: str) -> History:
@@ -410,7 +347,7 @@ class Results:
     @property
     def capacity(self) -> dict[str, Any]:
         """Results of a quasi-static analysis (io/MEASURES.md, Capacity); empty until the run has ended or stopped."""
-        return _plain(self._at("capacity").attrs) if "capacity" in self.file else {}
+        return _plain(self._at("capacity").attrs) if "capacity" in self._checked else {}
 
     @property
     def elements(self) -> Table:
@@ -428,7 +365,7 @@ class Results:
     @property
     def case(self) -> dict[str, Any]:
         """The resolved case: all keys with their values."""
-        with _reading(f"{self._path}, case"):
+        with reading(f"{self._path}, case"):
             return tomllib.loads(self._at("case").attrs["toml"])
 
     @property
@@ -439,7 +376,7 @@ class Results:
     @property
     def walls(self) -> dict[str, dict[str, float]]:
         """Measures of each wall: fallen_mass_fraction, peak_drift, ..."""
-        with _reading(f"{self._path}, summary/wall"):
+        with reading(f"{self._path}, summary/wall"):
             group = self._at("summary").get("wall")
             if group is None:
                 return {}
@@ -455,7 +392,7 @@ class Results:
     @property
     def finished(self) -> bool:
         """Whether the run has reached its end."""
-        with _reading(f"{self._path}, summary"):
+        with reading(f"{self._path}, summary"):
             return bool(self.summary["finished"])
 
 
@@ -463,5 +400,5 @@ def _plain(attributes: Any) -> dict[str, Any]:
     """Attributes as Python's own types, without the attribute of units."""
     def value(v: Any) -> Any:
         return v.decode() if isinstance(v, bytes) else v.item() if isinstance(v, np.generic) else v
-    with _reading("attributes of results"):
+    with reading("attributes of results"):
         return {name: value(v) for name, v in attributes.items() if name != "units"}

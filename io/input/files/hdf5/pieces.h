@@ -17,6 +17,12 @@ struct Piece {
   std::uint64_t first = 0, rows = 0;  // of the virtual dataset; the first ones of `dataset`
 };
 
+/// Whether a name is that of a part: parts/NNNN.h5.
+bool is_part(const std::string& file);
+
+/// A name as virtual datasets have it, in which % begins a format.
+std::string virtual_name(const std::string& name);
+
 /// The pieces of a dataset; none if it holds its values itself.
 /// \throw FileError if its values are in other files than parts/NNNN.h5, or if the pieces are not the rows in order
 std::vector<Piece> pieces_of(const Doing& doing, std::int64_t dataset);

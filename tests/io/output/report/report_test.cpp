@@ -115,7 +115,7 @@ TEST_CASE("the page holds the frames of the run within half a quantum") {
   for (std::size_t f = 0; f < rows; ++f) {
     CHECK(std::abs(quantum * x[f][0] - double(f)) <= 0.5001 * quantum);
     CHECK(std::abs(quantum * z[f][1] - -double(f)) <= 0.5001 * quantum);
-    CHECK(w[f][0] == 2048);  // of steps of 16/32767
+    CHECK(w[f][0] == std::lround(2048 * turn_of(f + 1)));  // 2048 steps of 16/32767: 1
     CHECK(w[f][1] == 0);
   }
   // A corner, 0.0866 m from the centroid: steps of a quaternion may be quantum / (2 · 0.0866 m), 23 times 1/32767 and so 16 times.

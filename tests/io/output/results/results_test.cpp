@@ -77,7 +77,7 @@ std::vector<Promise> promises() {
   for (const char* d : {"/damage/bonded", "/damage/slipped", "/damage/tension", "/damage/shear", "/damage/compression",
                         "/damage/first_tension", "/damage/first_shear", "/damage/first_compression"})
     p.push_back({d, "1", {kAnyRows}});
-  for (const char* h : {"/history/top/", "/history/corner 2/"}) {
+  for (const char* h : {"/history/top/", "/history/corner 2, 50 % %s/"}) {
     static std::set<std::string> kept;  // Promise holds no text of its own
     p.push_back({kept.insert(std::string(h) + "displacement").first->c_str(), "m", {kAnyRows, 3}});
     p.push_back({kept.insert(std::string(h) + "velocity").first->c_str(), "m/s", {kAnyRows, 3}});
