@@ -197,7 +197,7 @@ class Model:
         return Run(folder)
 
     def _file_name(self) -> str:
-        return re.sub(r"[^A-Za-z0-9]+", "-", self.case.get("title", "")).strip("-").lower() or "model"
+        return re.sub(r"[^A-Za-z0-9]+", "-", self.case.get("title", ""))[:80].strip("-").lower() or "model"
 
     def _with_file(self, use: Callable[[pathlib.Path], T]) -> T:
         with tempfile.TemporaryDirectory(prefix="voussoir-") as scratch:

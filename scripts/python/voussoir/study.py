@@ -106,6 +106,7 @@ class Study:
         if not (folder / "run.h5").exists():
             return "to be done"
         results = Results(folder)
+        results._tells = False
         try:
             return "done" if results.finished else "stopped"
         finally:
@@ -154,7 +155,10 @@ def _raise_if(stop: list[bool]) -> None:
 
 def _write(path: pathlib.Path, text: str) -> None:
     """Writes a complete file, or none."""
-    path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name(path.name + ".tmp")
-    temporary.write_text(text, encoding="utf-8")
-    os.replace(temporary, path)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        temporary.write_text(text, encoding="utf-8")
+        os.replace(temporary, path)
+    except OSError as error:
+        raise FileError(f"{path}: {error.strerror}") from error

@@ -1,0 +1,176 @@
+# SPDX-FileCopyrightText: 2026 The Voussoir authors
+# SPDX-License-Identifier: Apache-2.0
+"""Markup and words for a shell in every name: nothing of them is executed, in the shell or in a browser that clicks all there is to click.
+
+Needs Debian's chromium, and ffmpeg for the film.
+"""
+
+import html.parser
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import unittest
+import xml.etree.ElementTree
+
+import voussoir
+from fixture import InAFolder
+
+MARKUP = ["<img src=x onerror=hacked()>", "</script><script>hacked()</script>", '"><svg onload=hacked()>', "'-hacked()-'", "${hacked()}",
+          "<iframe src=javascript:parent.hacked()>", "<b onmouseover=hacked() onclick=hacked()>b</b>", "--><script>hacked()</script>"]
+SHELL = ["$(touch hacked)", "`touch hacked`", "; touch hacked;", "| touch hacked", "' ; touch hacked ; '", "-o hacked", "%s%n"]
+CHROMIUM = next((p for p in ("chromium", "chromium-browser", "google-chrome") if shutil.which(p)), None)
+
+# Runs in the page once it is there: clicks, chooses and points at everything, then says what came of it.
+CLICKS = """<script>
+window.hacks = 0;
+window.hacked = () => { window.hacks += 1; };
+window.addEventListener("load", () => setTimeout(async () => {
+  try { await window.opened; } catch (e) { document.documentElement.dataset.fault = e; }
+  let clicks = 0;
+  for (const element of document.querySelectorAll("body *")) {
+    if (element.tagName === "A" && element.href) element.removeAttribute("download");
+    for (const kind of ["pointerover", "mouseover", "pointermove", "mousemove", "pointerdown", "mousedown", "pointerup", "mouseup", "click", "dblclick"])
+      element.dispatchEvent(new MouseEvent(kind, {bubbles: true, cancelable: true, clientX: 400, clientY: 300}));
+    if (element.tagName === "SELECT") for (const option of element.options) {
+      element.value = option.value;
+      element.dispatchEvent(new Event("input", {bubbles: true}));
+      element.dispatchEvent(new Event("change", {bubbles: true}));
+    }
+    clicks += 1;
+  }
+  await new Promise((done) => setTimeout(done, 500));
+  document.documentElement.dataset.seen = `clicks ${clicks}, hacks ${window.hacks}`;
+}, 200));
+</script>"""
+
+
+class Elements(html.parser.HTMLParser):
+    """Names of elements with attributes that run something or fetch something, as the browser has them."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.odd = []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        for name, value in attributes:
+            if name.startswith("on") or (value or "").startswith("javascript:"):
+                self.odd.append((tag, name, value))
+        if tag in ("iframe", "object", "embed", "img"):
+            self.odd.append((tag, dict(attributes).get("src"), None))
+
+
+class Injection(InAFolder):
+    def setUp(self):
+        super().setUp()
+        self.before = pathlib.Path.cwd()
+        os.chdir(self.folder)  # where a shell would touch its file
+        self.addCleanup(os.chdir, self.before)
+
+    def model(self):
+        """A wall and a house's worth of names: title, materials, laws, blocks, parts, ties, followed points."""
+        words = iter((MARKUP + SHELL) * 4)
+        model = voussoir.Model(" ".join(MARKUP + SHELL))
+        model["gravity.settle"], model["time.duration"] = False, 0.05
+        model["output.frame_interval"] = 0.01
+        stone, law = f"stone {next(words)}", f"law {next(words)}"
+        model.material(stone, density=2000.0, young=1e8, poisson=0.2)
+        model.joint_law(law, tension=1.0, cohesion=1.0, friction=30.0, compression=1e6)  # weak, so that there are cracks
+        model["joints.default"] = law
+        model["base.z"] = 0.0
+        names = []
+        for k in range(len(MARKUP + SHELL)):
+            x = 0.2 * (k % 5)
+            z = 0.2 * (k // 5)
+            names.append(f"{k} {next(words)}")
+            model.box(names[-1], [x, 0, z], [x + 0.2, 0.2, z + 0.2], material=stone, part=f"{next(words).replace(',', ' ')} wall")
+        points = [word.replace("/", "|") for word in MARKUP + SHELL]
+        for k, point in enumerate(points):
+            model.follow(point, [0.2 * (k % 5) + 0.1, 0.1, 0.2 * (k // 5) + 0.1])
+        model.case["tie"] = [{"name": MARKUP[0], "from": [0.0, 0.1, 0.3], "to": [1.0, 0.1, 0.3], "area": 1e-4, "young": 2e11, "yield": 2e8}]
+        model.motion("bam-like")
+        return model
+
+    def shown(self, page):
+        """The page as a browser has it after clicks on everything; the console's faults do not matter here."""
+        copy = self.folder / "clicked.html"
+        text = page.read_text(encoding="utf-8")
+        self.assertIn("<head>", text)
+        copy.write_text(text.replace("<head>", "<head>" + CLICKS, 1), encoding="utf-8")
+        words = [CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+                 f"--user-data-dir={self.folder}/profile", "--virtual-time-budget=20000", "--dump-dom", copy.as_uri()]
+        return subprocess.run(words, capture_output=True, text=True, timeout=300, check=False).stdout
+
+    def nothing_ran(self, page):
+        dom = self.shown(page)
+        seen = re.search(r'data-seen="clicks (\d+), hacks (\d+)"', dom)
+        self.assertIsNotNone(seen, dom[:2000])
+        self.assertGreater(int(seen[1]), 50)
+        self.assertEqual(int(seen[2]), 0)
+        self.assertEqual(Elements(dom).odd, [])
+
+    def assert_no_shell(self):
+        self.assertEqual([str(p) for p in self.folder.rglob("hacked*")], [])
+
+    @unittest.skipIf(CHROMIUM is None, "no chromium")
+    def test_the_clicks_find_what_is_executed(self):
+        page = self.folder / "page.html"
+        page.write_text(f"<html><head></head><body>{'<p>p</p>' * 60}<p>{MARKUP[0]}</p></body></html>")
+        with self.assertRaises(AssertionError):
+            self.nothing_ran(page)
+
+    @unittest.skipIf(CHROMIUM is None, "no chromium")
+    def test_pages(self):
+        model = self.model()
+        folder = self.folder / "$(touch hacked) <img src=x onerror=hacked()>"
+        run = model.run(folder, threads=1, progress=False)
+        other = model.run(self.folder / "other", until=0.03, threads=1, progress=False)
+        for page in (run.report(), run.report(other=other), model.view(self.folder / "view.html")):
+            self.nothing_ran(page)
+        self.assert_no_shell()
+
+    def test_drawings_and_files(self):
+        model = self.model()
+        run = model.run(self.folder / "run", threads=1, progress=False)
+        model.check(draw=self.folder / "`touch hacked`.svg")
+        voussoir.call("assess", run.folder, "--maps", self.folder / "maps ; touch hacked", "--spectra", self.folder / "| touch hacked.csv")
+        drawings = list(self.folder.rglob("*.svg"))
+        self.assertGreater(len(drawings), 1)
+        for drawing in drawings:
+            self.assertTrue(drawing.resolve().is_relative_to(self.folder.resolve()))
+            for element in xml.etree.ElementTree.parse(drawing).iter():
+                self.assertNotIn(element.tag.rsplit("}", 1)[-1], ("script", "foreignObject", "image", "a", "img", "iframe"))
+                self.assertEqual([name for name in element.attrib if name.lower().startswith("on")], [])
+        voussoir.call("report", run.folder, "--paraview")
+        xml.etree.ElementTree.parse(run.folder / "run.xdmf")
+        for words in (("summary", run.folder), ("check", self.folder / "run"), ("compare", run.folder, run.folder)):
+            voussoir.call(*words)
+        self.assertEqual([p for p in self.folder.rglob("hacked*") if p.name == "hacked"], [])
+
+    @unittest.skipIf(CHROMIUM is None or not shutil.which("ffmpeg"), "no chromium or no ffmpeg")
+    def test_films_and_pictures(self):
+        run = self.model().run(self.folder / "run", threads=1, progress=False)
+        for name in ("$(touch hacked).gif", "; touch hacked;.gif", "`touch hacked`.gif", "-y hacked.gif", "%d%s.gif", "file:hacked.gif"):
+            film = run.film(self.folder / name, speed=0.5)
+            self.assertTrue(film.read_bytes().startswith(b"GIF89a"), name)
+            self.assertEqual(film.parent, self.folder)
+        voussoir.call("report", run.folder, "--stills", "0.02", "-o", self.folder / "stills $(touch hacked)")
+        self.assertEqual([p for p in self.folder.rglob("*") if p.name == "hacked"], [])
+
+    def test_studies(self):
+        def build(stone, scale):
+            model = voussoir.Model(stone)
+            model["gravity.settle"], model["time.duration"], model["motion.scale"] = False, 0.01, scale
+            model.material(stone, density=2000.0, young=1e8, poisson=0.2)
+            model["base.z"] = 0.0
+            model.box(stone, [0, 0, 0], [0.2, 0.2, 0.2], material=stone)
+            model.motion("bam-like")
+            return model
+        study = voussoir.Study(self.folder / "study $(touch hacked) <b>", build, stone=[MARKUP[0], MARKUP[2], SHELL[0], "../../outside"], scale=[1.0])
+        study.run(quiet=True)
+        self.assertEqual({row["status"] for row in study.table()}, {"done"})
+        study.write(self.folder / "; touch hacked.csv")
+        self.assertEqual({p.parent for p in self.folder.rglob("run.h5")}, {study.folder / name for name in study.runs})
+        self.assertEqual([p for p in self.folder.rglob("*") if p.name == "hacked"], [])
