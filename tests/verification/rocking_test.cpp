@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tests/verification/collapse.h"
-#include "tests/verification/contact_by_hand.h"
+#include "tests/verification/contact/contact_by_hand.h"
 
 // V4: a stiff block rocks about its outermost rows of contact points, which lie at b_e = b (1 − 1/n) (Housner 1963), or, with
 // segments.rule = "rim", at b_e = b.

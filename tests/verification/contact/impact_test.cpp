@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/verification/impact.h"
+#include "tests/verification/contact/impact.h"
 
 #include <random>
 #include <vector>

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "tests/verification/contact_by_hand.h"
+#include "tests/verification/contact/contact_by_hand.h"
 #include "tests/verification/fixture.h"
 
 // V11, and: contact may never give out more energy than it took.

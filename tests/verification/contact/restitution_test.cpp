@@ -8,7 +8,7 @@
 
 #include "cases/names.h"
 #include "solver/contact/head_on.h"
-#include "tests/verification/impact.h"
+#include "tests/verification/contact/impact.h"
 
 // contact.restitution: the normal speed at the point of contact after an impact over that before it is the one asked for.
 namespace voussoir::testing {
