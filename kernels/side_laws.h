@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "kernels/laws/closing.h"
+#include "kernels/laws/crushing.h"
 #include "kernels/laws/laws_of_side.h"
 #include "kernels/laws/segment_law.h"
 #include "kernels/laws/softening.h"

@@ -7,7 +7,7 @@
 
 #include "kernels/lanes.h"
 #include "kernels/law.h"
-#include "kernels/laws/crushing.h"
+#include "kernels/laws/laws_of_side.h"
 #include "kernels/rows.h"
 #include "kernels/side.h"
 

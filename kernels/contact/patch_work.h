@@ -7,6 +7,7 @@
 
 #include "geometry/nth.h"
 #include "kernels/contact/contact_patch.h"
+#include "kernels/laws/crushing.h"
 #include "kernels/laws/restitution.h"
 
 /// Parts shared by the kernel of free patches and its plain twin: geometry of a patch against a candidate, and the choice of partners.

@@ -12,14 +12,6 @@
 /// the pressure of the hyperbola. The laws of contact (segment_law.h, chunk_law.h) then apply unchanged.
 namespace voussoir::kernels {
 
-struct Closing {
-  double most = 0.0;    // m, V: greatest closure of the joint under any pressure; 0: its stiffness is constant
-  double scale = 0.0;   // Pa, k_n V: pressure at which the joint has closed by V/2
-  double blocks = 0.0;  // Pa/m, stiffness of the two blocks without the joint, (4)
-
-  [[nodiscard]] bool on() const noexcept { return most > 0.0; }
-};
-
 /// Pressure [Pa] at a closure of x [m] of joint and blocks, (17b); 0 for an open joint.
 inline double pressure_at(double x, const Closing& a) noexcept {
   if (x <= 0.0) return 0.0;

@@ -4,21 +4,13 @@
 
 #include <algorithm>
 
+#include "kernels/laws/laws_of_side.h"
 #include "kernels/segments.h"
 
 /// Pressure that a contact bears, and how its surface gives way beyond it: THEORY.md (19a)-(19c). What is crushed is gone for good: the
 /// point lies that much deeper in its face from then on, whoever it meets. So crushing lowers the closure of a point, and the laws of
 /// contact (segment_law.h, patch_work.h) go on from there as they are.
 namespace voussoir::kernels {
-
-struct Crushing {
-  double strength = 0.0;  // Pa; 0: contacts bear any pressure
-  double residual = 0.0;  // Pa, of crushed material
-  double slope = 0.0;     // Pa/m, loss of strength per crushed depth, down to `residual`; 0: no loss
-  double depth = 0.0;     // m, greatest crushed depth; at that depth a point bears any pressure
-
-  [[nodiscard]] bool on() const noexcept { return strength > 0.0; }
-};
 
 /// Pressure [Pa] that a point bears after being crushed by `crushed` [m].
 inline double bearing(double crushed, const Crushing& a) noexcept {

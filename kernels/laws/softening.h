@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/laws/laws_of_side.h"
 #include "kernels/laws/segment_law.h"
-#include "kernels/laws/soft_side.h"
 
 /// Softening bonds: THEORY.md (13a)-(13e). One number per segment, its *wear* κ, measures its damage: both opening and slip increase it, so
 /// a bond that has slipped is weaker in tension, and vice versa. Segments that do not soften, and all that are no longer bonded, follow

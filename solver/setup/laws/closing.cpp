@@ -48,7 +48,7 @@ void example(cases::Case& /*c*/, cases::JointLaw& law) {
 }  // namespace
 
 OptionalLaw closing_law() {
-  return {.name = "closing", .after = "", .set_up = set_up, .numbers = numbers, .words = words, .example = example};
+  return {.name = "closing", .place = 2, .set_up = set_up, .numbers = numbers, .words = words, .example = example};
 }
 
 }  // namespace voussoir::solver

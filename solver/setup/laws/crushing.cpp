@@ -7,6 +7,7 @@
 #include "cases/case.h"
 #include "cases/names.h"
 #include "geometry/message.h"
+#include "kernels/laws/closing.h"
 #include "solver/setup/laws/optional_laws.h"
 #include "solver/setup/setup.h"
 
@@ -82,7 +83,7 @@ kernels::Crushing crushing_of(const cases::Contact& c) {
 }
 
 OptionalLaw crushing_law() {
-  return {.name = "crushing", .after = "closing", .set_up = set_up, .numbers = numbers, .words = words, .example = example};
+  return {.name = "crushing", .place = 3, .set_up = set_up, .numbers = numbers, .words = words, .example = example};
 }
 
 }  // namespace voussoir::solver

@@ -16,7 +16,7 @@ namespace voussoir::solver {
 
 struct OptionalLaw {
   const char* name;
-  const char* after;  // name of another law that is set up before this one, because this one reads it; "": of none
+  int place;  // in the table, from 1 on: the order of set-up, and in checkpoints; a law that reads another stands behind it
   /// Writes its part of Sides::laws, and room for what it keeps, where the case asks for it. \pre sides have their views
   void (*set_up)(World& w, const cases::Case& c);
   /// Its constants, for the hash of a model; none where no joint has it.
@@ -27,7 +27,7 @@ struct OptionalLaw {
   void (*example)(cases::Case& c, cases::JointLaw& law);
 };
 
-/// In the order in which they are set up, and in which checkpoints hold what they keep.
+/// By their place. CMake lists them: NAME.cpp beside this header has `OptionalLaw NAME_law()`.
 std::span<const OptionalLaw> optional_laws();
 
 // ---- for these sources

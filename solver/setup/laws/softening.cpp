@@ -118,7 +118,7 @@ void example(cases::Case& /*c*/, cases::JointLaw& law) {
 }  // namespace
 
 OptionalLaw softening_law() {
-  return {.name = "softening", .after = "", .set_up = set_up, .numbers = numbers, .words = words, .example = example};
+  return {.name = "softening", .place = 1, .set_up = set_up, .numbers = numbers, .words = words, .example = example};
 }
 
 }  // namespace voussoir::solver

@@ -9,16 +9,6 @@
 
 namespace voussoir::solver {
 
-// One each, in the source of its name.
-OptionalLaw softening_law();
-OptionalLaw closing_law();
-OptionalLaw crushing_law();
-
-std::span<const OptionalLaw> optional_laws() {
-  static const OptionalLaw kLaws[] = {softening_law(), closing_law(), crushing_law()};
-  return kLaws;
-}
-
 const cases::JointLaw& joint_law_of(const World& w, std::size_t side) {
   return nth(w.model.laws, nth(w.model.joint_law, w.sides.joint[side])).value;
 }
