@@ -6,6 +6,8 @@
 #include <filesystem>
 
 #include "io/input/files/errors.h"
+#include "io/output/replay/run_values.h"
+#include "io/output/replay/value_rules.h"
 #include "io/output/results/results_parts.h"
 
 /// Resuming with the results of an earlier run: which parts are kept, and up to which row.
@@ -28,8 +30,14 @@ void check_columns(const Hdf5File& file, const TableSpec& columns, std::uint64_t
   }
 }
 
+/// Whether times rise and rotations are ones; not the other rows, which may be those of a run that was lost.
+void inspect(const Hdf5File& part, const std::string& dataset, Hdf5Type type, std::uint64_t first, std::uint64_t rows, const void* data) {
+  const ValueRule* rule = rule_of(dataset);
+  if (rule != nullptr && rule->values != Values::row) io::check_values(part, dataset, type, first, rows, data);
+}
+
 /// Reads all values, which checks their checksums now instead of at the end of a long run.
-void check_values(const Hdf5File& file, const TableSpec& columns, std::uint64_t rows) {
+void read_values(const Hdf5File& file, const TableSpec& columns, std::uint64_t rows) {
   std::vector<std::byte> buffer;
   for (const ColumnSpec& c : columns) {
     const std::uint64_t piece = std::max<std::uint64_t>(1, kPieceBytes / std::max<std::uint64_t>(1, c.row_bytes()));
@@ -55,7 +63,8 @@ void check_seal(const Hdf5File& part, const std::string& named) {
 }
 
 Part read_part(const std::string& folder, const std::string& name, const std::string& seal, const RowSchema& schema) {
-  const Hdf5File file = Hdf5File::open(folder + "/" + name);
+  Hdf5File file = Hdf5File::open(folder + "/" + name);
+  file.inspect(inspect);
   if (!file.has_attribute("/", "schema_version")) throw FileError(file.path(), "holds no results of voussoir");
   if (const std::int64_t version = file.attribute_int("/", "schema_version"); version != kResultsSchema && version != kUnsealed)
     throw FileError(file.path(), "has version " + std::to_string(version) + " of the results' layout; this program goes on with version " +
@@ -72,7 +81,7 @@ Part read_part(const std::string& folder, const std::string& name, const std::st
     part.rows[t] = static_cast<std::uint64_t>(file.attribute_int("/", std::string("rows_") + table_name(static_cast<RowTable>(t))));
     if (part.rows[t] == 0) continue;
     check_columns(file, schema[t], part.rows[t]);
-    check_values(file, schema[t], part.rows[t]);
+    read_values(file, schema[t], part.rows[t]);
   }
   return part;
 }

@@ -145,6 +145,10 @@ class Running(InAFolder):
         child.kill()
         child.wait()
         self.assertEqual(voussoir.Run(folder).state, "stopped")
+        assess = subprocess.run([voussoir.program(), "assess", folder], capture_output=True, text=True, check=False)
+        self.assertRegex(assess.stderr, "not finished: rows written until 20.*; the run was stopped or killed")
+        self.assertIn("stopped or killed", voussoir.Run(folder).report().read_text())
+        self.assertIn("stopped or killed", voussoir.Run(folder).describe())
         return folder
 
 

@@ -111,6 +111,19 @@ TEST_CASE("a resume seals parts of an earlier version, which run.h5 could not na
   CHECK(Hdf5File::open(dir.file("parts/0000.h5")).sealed());
 }
 
+TEST_CASE("a resume refuses parts whose times do not rise") {
+  const TempFolder dir;
+  write_parts(dir.path());
+  for (const char* file : {"run.h5", "parts/0000.h5", "parts/0001.h5", "parts/0002.h5"}) unseal(dir.file(file));
+  const hid_t file = H5Fopen(dir.file("parts/0001.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT),
+              time = H5Dopen2(file, "/frames/time", H5P_DEFAULT);
+  const std::vector<double> equal(kRows, 0.5);
+  REQUIRE(H5Dwrite(time, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, equal.data()) >= 0);
+  H5Dclose(time);
+  H5Fclose(file);
+  CHECK_THROWS_WITH_AS(go_on(dir.path(), 1e9), doctest::Contains("parts/0001.h5: /frames/time: row 1 holds 0.5"), FileError);
+}
+
 TEST_CASE("a part holds its rows itself") {
   const TempFolder dir;
   write_parts(dir.path());
