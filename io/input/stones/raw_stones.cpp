@@ -55,8 +55,10 @@ StoneFile read_folder(const std::string& path) {
   return all;
 }
 
-/// Whether all corners are in one plane, as of an interface, a text in the drawing, a ground plane.
+/// Whether all corners are in one plane, as of an interface, a text in the drawing, a ground plane; or in one place, so that welding left
+/// no face.
 bool is_flat(const Mesh& m) {
+  if (m.faces.empty()) return true;
   const double size = geometry::diagonal(m);
   geometry::LoopPlane largest;
   for (std::size_t f = 0; f < m.faces.size(); ++f) {

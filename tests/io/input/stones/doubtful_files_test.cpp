@@ -101,3 +101,13 @@ TEST_CASE("a face of many groups takes time in proportion") {
   const auto c = load(folder.write("a.obj", text + "\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"));
   CHECK(c.stones[0].stones.size() == 1);
 }
+
+TEST_CASE("a corner so far off that all others weld to one place leaves no solid") {
+  const TempFolder folder;
+  for (const char* far : {"2147483648", "1e12", "1e300"}) {
+    Mesh m = kBox;
+    m.vertices[2].y = std::stod(far);
+    CHECK(refusal(folder.write("a.obj", obj({{"a", m}}))).find("holds no solid") != std::string::npos);
+    CHECK(load(folder.write("b.obj", obj({{"a", m}, {"b", kBox}}))).stones[0].stones.size() == 1);
+  }
+}
