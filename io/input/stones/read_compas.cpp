@@ -177,7 +177,9 @@ class CompasReader {
     std::map<std::string, std::int32_t> number_of;
     for (const auto& [key, attributes] : vertex.items()) {
       number_of[key] = static_cast<std::int32_t>(mesh.vertices.size());
-      const auto part = [&](const char* axis) { return member(attributes, axis) == nullptr ? 0.0 : number(member(attributes, axis), at); };
+      const auto part = [&, &of = attributes](const char* axis) {
+        return member(of, axis) == nullptr ? 0.0 : number(member(of, axis), at);
+      };
       mesh.vertices.push_back({part("x"), part("y"), part("z")});
     }
     for (const auto& [key, loop] : face.items()) {

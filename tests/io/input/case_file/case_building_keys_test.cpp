@@ -125,8 +125,8 @@ TEST_CASE("faults: every key of a building says what is wrong with it") {
     const auto [header, path] = place_of(key.table, headers);
     const auto line = static_cast<int>(std::ranges::count(header, '\n')) + 1;
     const std::string at = "test.toml:" + std::to_string(line) + ": " + path + "." + key.name;
-    const auto check = [&](const std::string& value, const std::string& says) {
-      const std::string got = refusal(header + key.name + " = " + value + "\n");
+    const auto check = [&, &of = header](const std::string& value, const std::string& says) {
+      const std::string got = refusal(of + key.name + " = " + value + "\n");
       CAPTURE(at);
       CAPTURE(value);
       CAPTURE(got);
