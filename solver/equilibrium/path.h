@@ -37,7 +37,10 @@ class Path {
   /// Whether there is no state of rest within reach.
   [[nodiscard]] bool is_lost() const noexcept;
   /// Takes a state of rest as a point of the path, and goes on to the next. \param period  iterations in a period of the slowest motion
-  void accept(const RestPoint& p, double period);
+  /// \param open  share of the motion to the next point that nothing predicts
+  void accept(const RestPoint& p, double period, double open);
+  /// Way from the last point to the one ahead.
+  [[nodiscard]] double increment() const noexcept { return state_.increment; }
 
   /// Way of the supports' clock so far [s].
   [[nodiscard]] double clock() const noexcept { return state_.clock; }

@@ -49,52 +49,90 @@ Relaxation::Relaxation(const cases::Case& c, World& w) : on_(true), typical_(mea
   by_batch_.resize(static_cast<std::size_t>(w.elements.rows / kernels::kBatch));
 }
 
-/// Of one element; adds its weight.
-Relaxation::Sums Relaxation::look_at(World& w, std::size_t i, Vec3 acceleration) const {
+/// Of one element; adds its weight. Velocities are those beside the predicted ones.
+Relaxation::Sums Relaxation::look_at(World& w, std::size_t i, Vec3 acceleration, const Lead& lead) const {
   Elements& e = w.elements;
   double* r = e.wrench.data() + i * kernels::kWrenchStride;
   const double m = e.mass[i];
   r[0] += m * acceleration.x, r[1] += m * acceleration.y, r[2] += m * acceleration.z;
   const double mass = e.inert.inv_mass[i], turn = e.inert.inv_inertia[i];
   const Vec3 f{r[0], r[1], r[2]}, t{r[3], r[4], r[5]};
-  const Vec3 v = at(e.vx, e.vy, e.vz, i), spin = at(e.wx, e.wy, e.wz, i), l = at(e.lx, e.ly, e.lz, i);
+  Vec3 v = at(e.vx, e.vy, e.vz, i), spin = at(e.wx, e.wy, e.wz, i), l = at(e.lx, e.ly, e.lz, i);
+  const double turning = 0.5 * dot(l, spin);
+  if (lead.before() != 0.0) {
+    const double rate = lead.before() / w.dt;
+    const Vec3 turned = rate * lead.rotation(i);
+    v = v - rate * lead.displacement(i), spin = spin - turned;
+    if (turn > 0.0) l = l - (1.0 / turn) * turned;
+  }
   const double moment = turn > 0.0 ? norm(t) / e.radius[i] : 0.0;
-  return {dot(f, v) + dot(t, spin), mass * dot(f, f) + turn * dot(t, t), dot(v, v) / mass + dot(l, spin), std::max(norm(f), moment)};
+  return {dot(f, v) + dot(t, spin), mass * dot(f, f) + turn * dot(t, t), dot(v, v) / mass + dot(l, spin), turning,
+          std::max(norm(f), moment)};
 }
 
 /// Sums over all elements, those of batches one after another: no bit depends on the threads.
-Relaxation::Sums Relaxation::all_of(World& w, Vec3 acceleration) {
+Relaxation::Sums Relaxation::all_of(World& w, Vec3 acceleration, const Lead& lead) {
   w.team.share_out(w.elements.rows, kElementsAtATime, [&](std::int64_t first, std::int64_t last) {
     for (std::int64_t batch = first / kernels::kBatch; batch < last / kernels::kBatch; ++batch) {
       Sums sum;
       for (std::int64_t k = batch * kernels::kBatch; k < (batch + 1) * kernels::kBatch; ++k) {
         const auto i = static_cast<std::size_t>(k);
         if (w.elements.inert.inv_mass[i] == 0.0) continue;
-        const Sums own = look_at(w, i, acceleration);
-        sum.power += own.power, sum.square += own.square, sum.kinetic += own.kinetic, sum.most = std::max(sum.most, own.most);
+        const Sums own = look_at(w, i, acceleration, lead);
+        sum.power += own.power, sum.square += own.square, sum.kinetic += own.kinetic, sum.turning += own.turning;
+        sum.most = std::max(sum.most, own.most);
       }
       by_batch_[static_cast<std::size_t>(batch)] = sum;
     }
   });
   Sums all;
   for (const Sums& s : by_batch_)
-    all.power += s.power, all.square += s.square, all.kinetic += s.kinetic, all.most = std::max(all.most, s.most);
+    all.power += s.power, all.square += s.square, all.kinetic += s.kinetic, all.turning += s.turning, all.most = std::max(all.most, s.most);
   return all;
 }
 
-void Relaxation::look(World& w, Vec3 acceleration, bool on_the_way) {
+namespace {
+
+/// Inertia and damping of the predicted motion, as forces; what they work is given back of what damping takes.
+void add_lead(World& w, const Lead& lead, double alpha, std::size_t i) {
+  Elements& e = w.elements;
+  const double mass = e.inert.inv_mass[i], turn = e.inert.inv_inertia[i], a = 0.5 * alpha * w.dt;
+  if (mass == 0.0) return;
+  double* r = e.wrench.data() + i * kernels::kWrenchStride;
+  const double rate = 0.5 * alpha * (lead.before() + lead.ahead()) / w.dt + (lead.ahead() - lead.before()) / (w.dt * w.dt);
+  const Vec3 f = (rate / mass) * lead.displacement(i), t = turn > 0.0 ? (rate / turn) * lead.rotation(i) : Vec3{};
+  r[0] += f.x, r[1] += f.y, r[2] += f.z, r[3] += t.x, r[4] += t.y, r[5] += t.z;
+  const Vec3 v = at(e.vx, e.vy, e.vz, i), l = at(e.lx, e.ly, e.lz, i);
+  const Vec3 after = (1.0 / (1.0 + a)) * ((1.0 - a) * v + (w.dt * mass) * Vec3{r[0], r[1], r[2]});
+  const Vec3 turned = (1.0 / (1.0 + a)) * ((1.0 - a) * l + w.dt * Vec3{r[3], r[4], r[5]});
+  const double work = 0.5 * w.dt * (dot(f, v + after) + turn * dot(t, l + turned));
+  e.tally[i / kernels::kBatch * kernels::kTallies + static_cast<std::size_t>(kernels::Tally::loss_damping)] -= work;
+}
+
+}  // namespace
+
+void Relaxation::look(World& w, Vec3 acceleration, bool on_the_way, const Lead& lead) {
   if (patches_ != w.patches.patch.size()) {
     find_inert_masses(w);
     patches_ = w.patches.patch.size();
   }
-  const Sums s = all_of(w, acceleration);
+  const Sums s = all_of(w, acceleration, lead);
   state_.unbalanced = s.most / typical_;
+  // The last kick has booked the loss by damping of rotations with their angular velocities before it, not the mean: THEORY.md (27).
+  w.elements.tally[static_cast<std::size_t>(kernels::Tally::loss_damping)] += 0.5 * state_.alpha * w.dt * (s.turning - state_.turning);
   if (s.kinetic > 0.0) state_.frequency = std::sqrt(std::max(0.0, (state_.power - s.power) / (w.dt * s.kinetic)));
-  const double share = on_the_way ? kOnTheWay : 1.0;  // critical for it, but where damping would bear a part of the load
+  // Critical for it, but where damping would bear a part of the load.
+  const double share = on_the_way && !lead.leads() ? kOnTheWay : 1.0;
   const double alpha = share * std::min(2.0 * state_.frequency, kMostDamping / w.dt);
   const double a = 0.5 * alpha * w.dt;
   state_.power = ((1.0 - a) * s.power + w.dt * s.square) / (1.0 + a);
+  state_.alpha = alpha, state_.turning = s.turning;
   std::fill(w.elements.alpha.begin(), w.elements.alpha.end(), alpha);
+  if (!lead.leads()) return;
+  w.team.share_out(w.elements.rows, kElementsAtATime, [&](std::int64_t first, std::int64_t last) {
+    for (std::int64_t i = first; i < std::min<std::int64_t>(last, w.elements.count); ++i)
+      add_lead(w, lead, alpha, static_cast<std::size_t>(i));
+  });
 }
 
 }  // namespace voussoir::solver

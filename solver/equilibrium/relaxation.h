@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cases/case.h"
+#include "solver/equilibrium/lead.h"
 #include "solver/world/world.h"
 
 /// Relaxation: the motion that leads a structure to a state of rest. Masses are fictitious and time has no meaning (kernels/THEORY.md,
@@ -24,8 +25,8 @@ class Relaxation {
   [[nodiscard]] bool on() const noexcept { return on_; }
   /// Before the kick, when the rows have all forces but weights: adds the weights under the acceleration [m/s2], measures how far the
   /// structure is from rest and sets the mass damping of the step.
-  /// \param on_the_way  the load still goes on to the next point
-  void look(World& w, Vec3 acceleration, bool on_the_way);
+  /// \param on_the_way  the load still goes on to the next point \param lead  the motion that is predicted for it
+  void look(World& w, Vec3 acceleration, bool on_the_way, const Lead& lead);
 
   /// Largest unbalanced force over the mean weight of an element, or moment over that and the element's radius, in the last step.
   [[nodiscard]] double unbalanced() const noexcept { return state_.unbalanced; }
@@ -36,16 +37,17 @@ class Relaxation {
  private:
   friend struct FieldTable;
   struct State {             // doubles only, see LoadProgram::State
-    double power = 0.0;      // W, of the unbalanced forces of the last step with the velocities behind it
+    double power = 0.0;      // W, of the unbalanced forces of the last step with the velocities behind it, less the predicted ones
     double frequency = 0.0;  // rad/s
     double unbalanced = 1e300;
+    double alpha = 0.0, turning = 0.0;  // 1/s, damping of the last step; J, energy of rotation behind it
   };
   struct alignas(64) Sums {
-    double power = 0.0, square = 0.0, kinetic = 0.0, most = 0.0;
+    double power = 0.0, square = 0.0, kinetic = 0.0, turning = 0.0, most = 0.0;
   };
 
-  [[nodiscard]] Sums look_at(World& w, std::size_t i, Vec3 acceleration) const;
-  [[nodiscard]] Sums all_of(World& w, Vec3 acceleration);
+  [[nodiscard]] Sums look_at(World& w, std::size_t i, Vec3 acceleration, const Lead& lead) const;
+  [[nodiscard]] Sums all_of(World& w, Vec3 acceleration, const Lead& lead);
 
   bool on_ = false;
   double typical_ = 0.0;     // N

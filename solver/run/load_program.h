@@ -45,6 +45,8 @@ class LoadProgram {
   void rest_at(const World& w, double base_shear, std::int64_t step);
   /// Direction of the push, unit.
   [[nodiscard]] Vec3 across() const noexcept { return across_; }
+  /// Of the push along its direction: -1 on the way back of a cycle.
+  [[nodiscard]] double sense() const noexcept { return state_.sense; }
   /// m, of the moving end, until a reversal of the cycles.
   [[nodiscard]] double way_left() const noexcept;
   /// m, of the moving end so far.

@@ -55,7 +55,7 @@ Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases:
   ramp_ = c.gravity.ramp.value_or(frequency > 0.0 ? 5.0 / frequency : kRamp);
   settle_limit_ = c.gravity.settle_limit;
   if (cases::finds_rest(c.analysis)) {
-    relaxation_ = Relaxation(c, w), path_ = Path(c.analysis);
+    relaxation_ = Relaxation(c, w), path_ = Path(c.analysis), lead_ = Lead(w);
     ramp_ = kRelaxedRamp * w.dt, settle_limit_ = kRelaxedLimit * w.dt;
   }
   damage_ = initial_damage(w);
@@ -167,15 +167,17 @@ void Simulation::apply_loads() {
 
 /// Adds the weights, measures how far the structure is from rest, and goes on along the path.
 void Simulation::relax() {
-  const double t = static_cast<double>(step_) * world_->dt;
-  relaxation_.look(*world_, phase_ == Phase::settling ? gravity_at(t) : gravity_at(t) + program_.acceleration(),
-                   phase_ == Phase::shaking && path_.pull() > 0.0);
+  const Vec3 gravity = gravity_at(static_cast<double>(step_) * world_->dt);
+  lead_.step(path_.pull());  // 0 while settling
+  relaxation_.look(*world_, phase_ == Phase::settling ? gravity : gravity + program_.acceleration(), path_.pull() > 0.0, lead_);
   if (phase_ == Phase::shaking) path_.iterated();
 }
 
 void Simulation::accept_rest() {
   const World& w = *world_;
+  const double sense = program_.sense();
   program_.rest_at(w, -dot(forces_.base_shear, program_.across()), step_);
+  lead_.accept(w, program_.sense() == sense ? path_.increment() : 0.0);
   RestPoint p{.factor = program_.factor(), .done = program_.way(), .left = program_.way_left()};
   if (!w.supports.empty() && program_.analysis().kind == cases::AnalysisKind::settlement) {
     p.done = path_.clock(), p.left = program_.last_support() - path_.clock();
@@ -183,8 +185,7 @@ void Simulation::accept_rest() {
   }
   p.broken = damage_.tension + damage_.shear + damage_.compression, p.slipped = damage_.slipped;
   for (const std::int32_t bonds : w.elements.bonds_at_start) p.bonds += bonds;
-  const double per_step = relaxation_.frequency() * w.dt;
-  path_.accept(p, 2.0 * std::numbers::pi / std::max(per_step, 1e-6));
+  path_.accept(p, 2.0 * std::numbers::pi / std::max(relaxation_.frequency() * w.dt, 1e-6), lead_.open());
 }
 
 /// Of the largest speed [m2/s2]. \throw NumericalError

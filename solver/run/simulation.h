@@ -140,6 +140,7 @@ class Simulation {
   LoadProgram program_;
   Relaxation relaxation_;
   Path path_;
+  Lead lead_;
   Phase phase_ = Phase::shaking;
   std::int64_t step_ = 0;
   Vec3 full_gravity_;            // m/s2, tilted

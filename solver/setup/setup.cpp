@@ -16,6 +16,7 @@
 #include "solver/setup/patch_order.h"
 #include "solver/setup/point_sets.h"
 #include "solver/setup/setup_stages.h"
+#include "solver/setup/setup_ties.h"
 #include "solver/world/first_touch.h"
 
 namespace voussoir::solver {
@@ -148,6 +149,8 @@ void set_up_laws(World& w, const cases::Case& c) {
   for (const OptionalLaw& law : optional_laws()) law.set_up(w, c);
 }
 
+void choose_ties(World& w, const cases::Case& c) { cases::finds_rest(c.analysis) ? set_up_stiff_ties(w) : set_up_ties(w); }
+
 void set_up_travel(World& w, const cases::Case& /*c*/) {
   w.travel = Travel(w.elements, choose_skin(w.model));
   w.travel.set_margin(search_margin(w, w.travel.skin()));
@@ -174,7 +177,7 @@ constexpr SetUpStage kStages[] = {
     {"overlaps", kFriction | kElements | kFaces | kSides, kShapes, without_case<set_up_overlaps>},
     {"optional laws", kFriction | kFaces | kSides | kSideViews, kLaws, set_up_laws},
     {"forces of sides", kElements | kSides, kPairBuffer, set_up_pair_forces},
-    {"ties", kStep | kElements | kSides | kSideViews, kTies, without_case<set_up_ties>},
+    {"ties", kStep | kElements | kSides | kSideViews, kTies, choose_ties},
     {"loads", 0, kLoads, set_up_loads},
     {"travel", kStep | kElements | kLevels, kTravel, set_up_travel},
 };

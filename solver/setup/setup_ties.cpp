@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include "solver/setup/setup_ties.h"
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -169,11 +171,15 @@ void bound_stiffness(World& w) {
 
 }  // namespace
 
-void set_up_ties(World& w) {
+void set_up_stiff_ties(World& w) {
   if (w.model.ties.empty()) return;
   take_bars(w);
   list_elements(w, w.ties);
-  bound_stiffness(w);
+}
+
+void set_up_ties(World& w) {
+  set_up_stiff_ties(w);
+  if (!w.ties.tie.empty()) bound_stiffness(w);
 }
 
 }  // namespace voussoir::solver

@@ -236,6 +236,10 @@ struct FieldTable {
     if (!s.relaxation_.on()) return;
     t.push_back({"relaxation", "SI", "run", FieldType::f64, &s.relaxation_.state_, 1, sizeof(Relaxation::State) / sizeof(double)});
     t.push_back({"path", "SI", "run", FieldType::f64, &s.path_.state_, 1, sizeof(Path::State) / sizeof(double)});
+    t.push_back({"lead", "SI", "run", FieldType::f64, &s.lead_.state_, 1, sizeof(Lead::State) / sizeof(double)});
+    t.push_back({"lead_way", "m", "run", FieldType::f64, &s.lead_.ahead_, 1});
+    t.push_back(rows<double>("lead_pose", "m, -", "element", s.lead_.pose_, Lead::kPose));
+    t.push_back(rows<double>("lead_motion", "-, rad/m", "element", s.lead_.rate_, Lead::kRate));
   }
 };
 
