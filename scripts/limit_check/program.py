@@ -4,6 +4,8 @@
 import csv
 import dataclasses
 import json
+import resource
+import signal
 import subprocess
 
 import numpy
@@ -29,11 +31,13 @@ class Outcome:
 
 
 def run(voussoir, case, *more, seconds=120):
+    """`seconds`: of processor time, so that a busy machine makes no answer late."""
     command = [str(voussoir), "limit", str(case), "--format", "json", "--quiet", "-j", "1", *more]
-    try:
-        return subprocess.run(command, capture_output=True, text=True, timeout=seconds)
-    except subprocess.TimeoutExpired:
-        return subprocess.CompletedProcess(command, -1, "", f"no answer in {seconds} s")
+    most = lambda: resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
+    done = subprocess.run(command, capture_output=True, text=True, preexec_fn=most)
+    if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
+        return subprocess.CompletedProcess(command, -1, "", f"no answer in {seconds} s of processor time")
+    return done
 
 
 def apart(one, other):
