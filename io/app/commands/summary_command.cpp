@@ -19,6 +19,7 @@
 #include "io/app/session/process.h"
 #include "io/input/files/hdf5_file.h"
 #include "io/output/measures/capacity/capacity_file.h"
+#include "io/output/measures/chance.h"
 #include "io/output/measures/measures_file.h"
 #include "io/output/measures/place_in_run.h"
 #include "io/output/replay/run_file.h"
@@ -74,6 +75,9 @@ std::string seconds(double time) { return time < 0 ? "never" : text("%.3f s", ti
 
 void line(const char* name, const std::string& value) { std::printf("%-21s%s\n", name, value.c_str()); }
 
+/// A line of figures that are left to chance (chance.h) where the run has any.
+void line_of_chance(const Measures& m, const char* name, const std::string& value) { line(name, has_chance(m) ? value + "  *" : value); }
+
 void print_grade(const Measures& m) {
   if (m.damage_grade < 0) return line("damage grade", "-");
   std::string value = "G" + std::to_string(m.damage_grade);
@@ -96,15 +100,17 @@ std::string counts(const Json& s, const std::string& prefix) {
 
 /// Prints the overlap of bodies.
 void print_penetration(const Measures& m) {
-  line("deepest in another", millimetres(m.penetration) + " at the end, at most " + millimetres(m.peak_penetration) +
-                                 (m.peak_penetration_time < 0 ? "" : " at " + seconds(m.peak_penetration_time)));
+  line_of_chance(m, "deepest in another",
+                 millimetres(m.penetration) + " at the end, at most " + millimetres(m.peak_penetration) +
+                     (m.peak_penetration_time < 0 ? "" : " at " + seconds(m.peak_penetration_time)));
   if (!m.peak_penetration_pair.empty()) line("", m.peak_penetration_pair);
-  line("deepest in the base", millimetres(m.base_penetration) + " at the end, at most " + millimetres(m.peak_base_penetration));
-  line("over half a segment", m.most_deep_pairs < 0
-                                  ? "-"
-                                  : std::to_string(m.deep_pairs) + " pairs at the end, at most " + std::to_string(m.most_deep_pairs) +
-                                        (m.most_deep_pairs > 0 ? " at " + seconds(m.most_deep_pairs_time) : ""));
-  line("touching", std::to_string(m.touching_pairs) + " pairs at the end");
+  line_of_chance(m, "deepest in the base",
+                 millimetres(m.base_penetration) + " at the end, at most " + millimetres(m.peak_base_penetration));
+  line_of_chance(m, "over half a segment",
+                 m.most_deep_pairs < 0 ? "-"
+                                       : std::to_string(m.deep_pairs) + " pairs at the end, at most " + std::to_string(m.most_deep_pairs) +
+                                             (m.most_deep_pairs > 0 ? " at " + seconds(m.most_deep_pairs_time) : ""));
+  line_of_chance(m, "touching", std::to_string(m.touching_pairs) + " pairs at the end");
 }
 
 /// Prints breaks due to the building's own weight, and breaks due to the shaking.
@@ -162,20 +168,23 @@ void print_table(const Json& s, const Measures& m) {
        m.settling_cracks == 0 ? seconds(s["first_crack_time"]) : "while settling; of the shaking " + seconds(s["first_crack_time"]));
   print_origin(s, m);
   line("first fallen", seconds(m.first_fallen_time) + (m.first_fallen_wall.empty() ? "" : "; of the walls: " + m.first_fallen_wall));
-  line("fallen mass", percent(s["fallen_mass_fraction"]));
-  line("debris", text("%.2f m2", m.debris.area) + ", to " + text("%.2f m", m.debris.reach) + " beyond the walls, 95 % to " +
+  line_of_chance(m, "fallen mass", percent(s["fallen_mass_fraction"]));
+  line_of_chance(m, "debris",
+                 text("%.2f m2", m.debris.area) + ", to " + text("%.2f m", m.debris.reach) + " beyond the walls, 95 % to " +
                      text("%.2f m", m.debris.reach_95));
-  line("free volume", percent(m.free_volume) + " of " + text("%.2f m3", m.initial_free_volume) + ", least " + percent(m.least_free_volume));
-  line("out-of-plane drift", percent(m.peak_drift) + " at most, " + percent(m.residual_drift) + " at the end");
-  line("in-plane drift", percent(m.peak_in_plane_drift) + " at most");
+  line_of_chance(m, "free volume",
+                 percent(m.free_volume) + " of " + text("%.2f m3", m.initial_free_volume) + ", least " + percent(m.least_free_volume));
+  line_of_chance(m, "out-of-plane drift", percent(m.peak_drift) + " at most, " + percent(m.residual_drift) + " at the end");
+  line_of_chance(m, "in-plane drift", percent(m.peak_in_plane_drift) + " at most");
   print_penetration(m);
   print_modes(s);
-  if (s.contains("peak_base_shear")) line("peak base shear", text("%.1f kN", 1e-3 * s["peak_base_shear"].get<double>()));
-  if (s.contains("peak_speed")) line("peak speed", text("%.2f m/s", s["peak_speed"]));
+  if (s.contains("peak_base_shear")) line_of_chance(m, "peak base shear", text("%.1f kN", 1e-3 * s["peak_base_shear"].get<double>()));
+  if (s.contains("peak_speed")) line_of_chance(m, "peak speed", text("%.2f m/s", s["peak_speed"]));
   for (const PointAcceleration& p : m.accelerations.points)
-    line("peak acceleration", text("%.2f m/s2", p.peak_horizontal) + " at " + p.name + ", horizontal, below 50 Hz");
+    line_of_chance(m, "peak acceleration", text("%.2f m/s2", p.peak_horizontal) + " at " + p.name + ", horizontal, below 50 Hz");
   if (s.contains("state_hash")) line("state hash", s["state_hash"]);
   print_walls(m);
+  if (has_chance(m)) std::printf("\n* %s\n", words_of_chance(m).c_str());
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/input/files/hdf5_file.h"
+#include "io/output/measures/chance.h"
 
 namespace voussoir::io {
 namespace {
@@ -100,6 +101,7 @@ std::string measures_json(const Measures& m) {
   out["points"] = nlohmann::ordered_json::array();
   for (const PointAcceleration& p : m.accelerations.points)
     out["points"].push_back({{"name", p.name}, {"peak_acceleration", p.peak_horizontal}});
+  if (has_chance(m)) out["chance"] = {{"from", m.first_fallen_time}, {"figures", figures_of_chance()}, {"note", words_of_chance(m)}};
   return out.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 

@@ -23,6 +23,10 @@ export function subtitle({ facts }) {
   ].filter(Boolean).join(" · ");
 }
 
+/** The rows whose figures are left to chance have a mark. */
+const marked = (m, chance, rows) => rows.map((row) => (row && m?.chance && chance.some((name) => row[0].includes(name)) ? [row[0], `${row[1]} *`, ...row.slice(2)] : row));
+const kChance = ["Fallen mass", "Debris", "95 % of it", "Volume left", "Deepest", "… of", "half a segment", "that touch", "compression", "base shear", "Peak speed"];
+
 /** How deep bodies were in each other. */
 function penetration(m) {
   return [
@@ -39,19 +43,19 @@ const runEnd = (s) => [s.failure ? "lost" : "not finished", [s.place, s.failure]
 /** What stands in large type: [name, value, small print]. */
 function keys({ facts }) {
   const s = facts.summary, m = facts.measures, g = m?.damage_grade ?? -1, last = facts.times.at(-1);
-  return [
+  return marked(m, kChance, [
     !s.finished && ["Run", ...runEnd(s)],
     ...capacityKeys(facts.capacity),
     g >= 0 && ["Damage grade", `G${g}`, `${kGrades[g]}${g > 0 ? `, from ${g <= m.settling_damage_grade ? "settling" : seconds(m.grade_time[g - 1])}` : ""}`],
     ["Collapse", m?.collapse_time >= 0 ? seconds(m.collapse_time) : (s.collapsed ?? m?.collapsed ? "yes" : "no"), s.finished ? `at the end, ${seconds(s.end_time ?? last)}` : `${s.failure ? "up to where the run was lost" : "so far"}, at ${seconds(s.end_time ?? last ?? 0)}`],
     ["First fall", when(m?.first_fallen_time), m?.first_fallen_wall || (m?.first_fallen_time >= 0 ? "" : "nothing has fallen")],
     ["Fallen mass", percent(s.fallen_mass_fraction ?? m?.fallen_mass_fraction), (s.first_crack_time ?? m?.first_crack_time) >= 0 ? `first crack ${seconds(s.first_crack_time ?? m.first_crack_time)}` : m?.settling_cracks > 0 ? "cracks from settling alone" : "no crack"],
-  ].filter(Boolean);
+  ].filter(Boolean));
 }
 
 function damage({ facts }) {
   const s = facts.summary, m = facts.measures, has = (key) => s[key] !== undefined;
-  return [
+  return marked(m, kChance, [
     has("first_crack_time") && ["First crack", when(s.first_crack_time)],
     m?.settling_cracks !== undefined && ["Segments broken by settling", count(m.settling_cracks)],
     m?.shaking_cracks !== undefined && ["… by the shaking", count(m.shaking_cracks)],
@@ -68,7 +72,7 @@ function damage({ facts }) {
     has("compression") && ["… by compression", count(s.compression)],
     has("peak_base_shear") && ["Peak base shear", `${(s.peak_base_shear / 1000).toFixed(1)} kN`],
     has("peak_speed") && ["Peak speed", `${s.peak_speed.toFixed(2)} m/s`],
-  ].filter(Boolean);
+  ].filter(Boolean));
 }
 
 function provenance({ facts, frames }) {
@@ -133,6 +137,10 @@ export function showSummary(top, rest, folded, runs) {
   if (runs.some((run) => run.facts.limit)) table(rest, runs.length > 1 ? ["", "A", "B"] : null, both(runs, limitTable).map(mark), "Second opinion: limit analysis");
   table(rest, runs.length > 1 ? ["", "A", "B"] : null, both(runs, damage).map(mark), "Damage");
   runs.forEach((run, i) => run.facts.measures?.walls.length > 0 && partsTable(rest, run.facts.measures, runs.length > 1 ? `Walls and roof, ${"AB"[i]}` : "Walls and roof"));
+  runs.forEach((run, i) => {
+    const note = run.facts.measures?.chance?.note;
+    if (note) rest.appendChild(Object.assign(document.createElement("p"), { className: "chance", textContent: `* ${runs.length > 1 ? `${"AB"[i]}: ` : ""}${note}` }));
+  });
   table(folded, runs.length > 1 ? ["", "A", "B"] : null, both(runs, provenance), "Where the numbers come from");
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "io/input/case_file/case_file.h"
+#include "io/output/measures/chance.h"
 #include "io/output/measures/damage_grade.h"
 #include "io/output/measures/measures_file.h"
 #include "solver/run/collapse.h"
@@ -42,6 +43,24 @@ void put_frame(ResultsWriter& results, double time, Vec3 brick, Vec3 beam) {
   for (const Vec3 u : {brick - Vec3{0.05, 0.05, 0.05}, beam - Vec3{0.15, 0.05, kHeight}})
     for (const double x : {u.x, u.y, u.z}) moved[i++] = static_cast<float>(x);
   results.frame({time, moved, upright, whole});
+}
+
+TEST_CASE("measures: figures are left to chance only where something fell, and the note says since when and what holds") {
+  Measures m;
+  CHECK_FALSE(has_chance(m));
+  CHECK(measures_json(m).find("\"chance\"") == std::string::npos);
+  m.shaking_cracks = 1000, m.first_crack_time = 0.5;  // broken, but nothing has fallen
+  CHECK_FALSE(has_chance(m));
+  m.first_fallen_time = 3.92;
+  CHECK(has_chance(m));
+  CHECK(words_of_chance(m).starts_with("Parts fall from 3.92 s on"));
+  const std::string json = measures_json(m);
+  CHECK(json.find("\"chance\":{\"from\":3.92,\"figures\":[\"fallen_mass_fraction\"") != std::string::npos);
+  for (const std::string_view name : figures_of_chance()) {
+    CAPTURE(name);
+    for (const char* robust : {"first_crack_time", "damage_grade", "collapse_time", "first_fallen_time", "tension", "shear"})
+      CHECK(name != robust);
+  }
 }
 
 TEST_CASE("an element has fallen by half its first height, or by 1 m") {
