@@ -8,7 +8,7 @@
 
 #include "io/input/files/errors.h"
 #include "io/input/files/sealed_pages.h"
-#include "io/output/replay/run_values.h"
+#include "io/output/replay/values/run_values.h"
 
 namespace voussoir::io {
 

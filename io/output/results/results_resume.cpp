@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "io/input/files/errors.h"
-#include "io/output/replay/run_values.h"
-#include "io/output/replay/value_rules.h"
+#include "io/output/replay/values/run_values.h"
+#include "io/output/replay/values/value_rules.h"
 #include "io/output/results/results_parts.h"
 
 /// Resuming with the results of an earlier run: which parts are kept, and up to which row.

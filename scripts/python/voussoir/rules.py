@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Do the shapes and numbers of results make sense? A seal does not tell: a forger computes it anew.
 
-The rules are those of io/output/replay/value_rules.cpp.
+The rules are those of io/output/replay/values/value_rules.cpp.
 """
 
 from collections.abc import Callable

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/output/replay/value_rules.h"
+#include "io/output/replay/values/value_rules.h"
 
 namespace voussoir::io {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/output/replay/run_values.h"
+#include "io/output/replay/values/run_values.h"
 
 #include <algorithm>
 #include <charconv>
@@ -9,7 +9,7 @@
 
 #include "geometry/message.h"
 #include "io/input/files/sealed_file.h"
-#include "io/output/replay/value_rules.h"
+#include "io/output/replay/values/value_rules.h"
 
 namespace voussoir::io {
 namespace {
@@ -54,7 +54,7 @@ void check_counts(const Hdf5File& run) {
     const std::optional<std::uint64_t> there = count_of(run, "/" + table + "/time");
     if (said < 0 || (there && static_cast<std::uint64_t>(said) != *there))
       throw DamagedFile(run.path(), "/" + table + "/time has " + std::to_string(there.value_or(0)) + " rows, and attribute " + rows +
-                                      " says " + std::to_string(said));
+                                        " says " + std::to_string(said));
   }
 }
 
@@ -103,7 +103,7 @@ class Rows {
 
   [[noreturn]] void refuse(std::uint64_t row, double value, const std::string& allowed) const {
     throw DamagedFile(run_.path(), dataset_ + ": row " + std::to_string(first_ + row) + " holds " + geometry::printed("%.17g", value) +
-                                     "; allowed: " + allowed);
+                                       "; allowed: " + allowed);
   }
 
   const Hdf5File& run_;
