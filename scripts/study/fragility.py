@@ -153,8 +153,8 @@ def done_rows(path):
     try:
         with open(path, newline="") as file:
             rows = list(csv.DictReader(file))
-    except OSError as error:
-        sys.exit(f"{path}: {error.strerror}; wanted table.csv of scripts/study/run")
+    except (OSError, ValueError, csv.Error) as error:  # of the file; of UTF-8; of CSV
+        sys.exit(f"{path}: {getattr(error, 'strerror', None) or error}; wanted table.csv of scripts/study/run")
     if not rows or not {"scale", "seed", "status", "damage_grade", "collapsed"} <= rows[0].keys():
         sys.exit(f"{path}: no table of a study over several scales or intensities, with measures; wanted table.csv of scripts/study/run")
     done = []

@@ -69,8 +69,8 @@ def rows_of(path):
     try:
         with open(path, newline="") as file:
             rows = list(csv.DictReader(file))
-    except OSError as error:
-        sys.exit(f"{path}: {error.strerror}")
+    except (OSError, ValueError, csv.Error) as error:  # of the file; of UTF-8; of CSV
+        sys.exit(f"{path}: {getattr(error, 'strerror', None) or error}")
     missing = [name for name in NEEDED if rows and name not in rows[0]]
     if missing:
         sys.exit(f'{path}: no column "{missing[0]}"; allowed: the table.csv of a study')

@@ -385,6 +385,8 @@ def finished_rows(table):
             rows = list(csv.DictReader(file))
     except OSError as error:
         raise StudyError(f"{table}: {error.strerror}; wanted a table.csv of a study") from error
+    except (ValueError, csv.Error) as error:  # of UTF-8; of CSV
+        raise StudyError(f"{table}: {error}; wanted a table.csv of a study") from error
     for column in ("run", "identity", "status"):
         if rows and column not in rows[0]:
             raise StudyError(f"{table}: no column {column}; wanted a table.csv of a study")

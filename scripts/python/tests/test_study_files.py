@@ -39,3 +39,10 @@ class StudyFiles(InAFolder):
     def test_more_runs_than_can_be_meant(self):
         many = ", ".join(map(str, range(1, 1000)))
         self.refuses(f"cases = ['flat20n']\nset = ['scatter.variation=1']\nscales = [{many}]\nseeds = [{many}]", "stands for 998001 runs.*at most 50000")
+
+    def test_known_tables_that_are_none(self):
+        table = self.folder / "table.csv"
+        for data in (b"run,identity,status\n\xf3,a,done\n", b'run\n"' + 200_000 * b"a" + b'"\n', b"run,name\na,b\n"):
+            table.write_bytes(data)
+            with self.assertRaisesRegex(plan.StudyError, "wanted a table.csv"):
+                plan.finished_rows(table)
