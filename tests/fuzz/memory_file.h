@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <cstddef>
@@ -12,15 +11,18 @@
 
 namespace voussoir::fuzz {
 
-/// A file in memory that readers open by its path.
+/// A file in memory that readers and HDF5 open by its path (HDF5 creates none by a path in /proc/self/fd).
 class MemoryFile {
  public:
-  MemoryFile() : id_(::memfd_create("fuzz", 0)), path_("/proc/self/fd/" + std::to_string(id_)) {
+  MemoryFile() : id_(::mkstemp(path_.data())) {
     if (id_ < 0) std::abort();
   }
   MemoryFile(const MemoryFile&) = delete;
   MemoryFile& operator=(const MemoryFile&) = delete;
-  ~MemoryFile() { ::close(id_); }
+  ~MemoryFile() {
+    ::close(id_);
+    ::unlink(path_.c_str());
+  }
 
   void fill(const std::uint8_t* data, std::size_t size) {
     if (::ftruncate(id_, 0) != 0 || ::pwrite(id_, data, size, 0) != static_cast<ssize_t>(size)) std::abort();
@@ -28,8 +30,8 @@ class MemoryFile {
   [[nodiscard]] const std::string& path() const { return path_; }
 
  private:
+  std::string path_ = "/dev/shm/voussoir-fuzz-XXXXXX";
   int id_;
-  std::string path_;
 };
 
 }  // namespace voussoir::fuzz

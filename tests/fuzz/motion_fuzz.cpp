@@ -5,13 +5,17 @@
 #include <iterator>
 #include <vector>
 
+#include "cases/case.h"
 #include "cases/model.h"
 #include "io/input/files/errors.h"
 #include "io/input/motion/formats/read_motion.h"
+#include "io/input/motion/spectra/spectra.h"
+#include "io/input/motion/spectra/target_file.h"
 #include "io/input/motion/support_motion.h"
 #include "tests/fuzz/memory_file.h"
 
-// The formats of motion. The first byte chooses the reader. What is taken has a step and finite samples, and no more of them than bytes.
+// The formats of motion. The first byte chooses the reader: a number of a format, or a letter. What is taken has a step and finite samples,
+// and no more of them than bytes.
 
 namespace {
 
@@ -42,8 +46,23 @@ using Reader = std::vector<io::Channel> (*)(const std::string&);
 constexpr Reader kReaders[] = {io::read_bhrc, io::read_cosmos, io::read_csmip, io::read_esm, io::read_geonet, io::read_knet};
 constexpr unsigned kFormats = 4 + std::size(kReaders);
 
-void read(unsigned format, const std::string& path, std::size_t bytes) {
-  switch (format) {
+void read_target(const std::string& name) {
+  const io::TargetSpectrum target = io::read_target(name, "g");
+  for (const double period : {0.0, 0.1, 1.0, 100.0}) {
+    if (!std::isfinite(io::value_at(target, period, 0.05).value_or(0.0))) std::abort();
+  }
+}
+
+void read_any(const std::string& path, std::size_t bytes) {
+  for (const io::Channel& c : io::read_motion_file(path, {"g", 0.01})) check(c.motion, bytes);
+  static_cast<void>(io::read_channel(path + "#1", {"g", 0.01}, 'L'));
+}
+
+/// What the first byte chooses.
+void read(std::uint8_t choice, const std::string& path, std::size_t bytes) {
+  if (choice == 'T') return read_target(path);      // a target spectrum
+  if (choice == 'A') return read_any(path, bytes);  // a format that its first lines tell
+  switch (choice % kFormats) {
     case 0:
       return check(io::read_at2(path), bytes);
     case 1:
@@ -53,7 +72,7 @@ void read(unsigned format, const std::string& path, std::size_t bytes) {
     case 3:
       return read_support(path, bytes);
     default:
-      for (const io::Channel& c : kReaders[format - 4](path)) check(c.motion, bytes);
+      for (const io::Channel& c : kReaders[choice % kFormats - 4](path)) check(c.motion, bytes);
   }
 }
 
@@ -64,8 +83,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   file.fill(data + 1, size - 1);
   try {
-    read(static_cast<unsigned>(data[0]) % kFormats, file.path(), size);
+    read(data[0], file.path(), size);
   } catch (const io::FileError&) {
+  } catch (const cases::InputError&) {  // of --target
   }
   return 0;
 }
