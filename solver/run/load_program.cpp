@@ -22,6 +22,7 @@ using cases::LoadPattern;
 constexpr std::int64_t kLook = 4;      // steps between two looks at the base shear
 constexpr double kTop = 0.1;           // of the height: what lies higher is the top
 constexpr double kLeastHeight = 1e-3;  // m, for the drift of a point on the ground
+constexpr double kNoise = 5.0;         // times the tolerance, of the weight: what a load factor at rest may be off by, and more
 constexpr double kCyclePace = 0.5;     // of the pace: in which the moving end goes on by an amplitude
 
 /// The element in the uppermost tenth that is nearest to the vertical axis through the centre of mass.
@@ -146,6 +147,12 @@ void LoadProgram::look(const World& w) {
 
 bool LoadProgram::is_over(const World& w) const {
   const double left = 1.0 - analysis_.drop;
+  // Whether all loads so far are within what the tolerance of states of rest leaves open.
+  const auto is_noise = [&] {
+    if (!cases::finds_rest(analysis_) || moments_) return false;
+    const double most = analysis_.kind == AnalysisKind::tilt ? state_.most_factor : state_.most_shear / (mass_ * gravity_);
+    return most < kNoise * analysis_.tolerance;
+  };
   switch (analysis_.kind) {
     case AnalysisKind::pushover:
     case AnalysisKind::tilt: {
@@ -155,7 +162,7 @@ bool LoadProgram::is_over(const World& w) const {
           analysis_.kind == AnalysisKind::tilt || moments_
               ? state_.mean_factor < left * state_.most_factor
               : state_.mean_factor < (1.0 - 0.5 * analysis_.drop) * state_.most_factor && state_.shear < left * state_.most_shear;
-      const bool dropped = softer && state_.target > drive_.first;
+      const bool dropped = softer && state_.target > drive_.first && !is_noise();
       return dropped || state_.factor >= analysis_.largest_factor || control_displacement(w) >= analysis_.largest_drift * height_;
     }
     case AnalysisKind::cyclic: {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -131,6 +132,25 @@ TEST_CASE("V15 at rest: a wall that is tied back overturns once its tie yields")
   const double turned = yield / (2e11 * 1e-5 / 2.3), s = std::sin(turned),
                co = std::cos(turned);  // at yield; the tie is 1 m above the foot
   compare("a tied wall", c, (0.5 * (width * co - height * s) * weight + yield * co) / (0.5 * (height * co + width * s) * weight));
+}
+
+TEST_CASE("V15 at rest: a boulder on three small stones slides at the tangent of its angle of friction") {
+  // Its first loads are less than what rest leaves open: they may fall, and the analysis goes on.
+  cases::Case c = at_rest(load("tilt").value, AnalysisKind::pushover, -1.0, 0.0);
+  cases::Material& m = c.materials.at("stone");
+  m.density = 2300.0, m.young = 5e11, m.poisson = 0.2;
+  c.contact.friction = 12.24;
+  c.segment_rule = geometry::SegmentRule::rim, c.segment_size.reset();
+  c.blocks[0].box = {{{-1.15255, -0.17877, 0.00396}, {-0.68545, 0.25277, 0.30655}}};
+  const std::array<std::array<Vec3, 2>, 3> stones{{{{{-1.06881, 0.14382, 0.0}, {-1.0606, 0.15004, 0.00396}}},
+                                                   {{{-0.73504, -0.11816, 0.0}, {-0.72488, -0.1083, 0.00396}}},
+                                                   {{{-1.10626, -0.08298, 0.0}, {-1.09611, -0.07131, 0.00396}}}}};
+  for (const auto& box : stones) {
+    cases::BlockSpec stone = c.blocks[0];
+    stone.name = "stone " + std::to_string(c.blocks.size()), stone.box = box;
+    c.blocks.push_back(stone);
+  }
+  compare("a boulder on three stones", c, std::tan(radians(12.24)));
 }
 
 TEST_CASE("V15 at rest: a parapet is pushed") {
