@@ -9,6 +9,7 @@
 #include <span>
 
 #include "cases/case.h"
+#include "cases/input_error.h"
 #include "cases/names.h"
 #include "cases/solids/halves.h"
 #include "cases/solids/stone_blocks.h"
@@ -132,44 +133,53 @@ SupportHistory support_history(const SupportMotion& motion, const std::string& k
   return history;
 }
 
+namespace {
+
+/// Adds one block, or its halves. \param first  blocks by their names so far
+void add_free_block(const Case& c, std::size_t i, std::map<std::string, std::size_t>& first, Model& model) {
+  const BlockSpec& spec = c.blocks[i];
+  const std::string key = indexed_key("block", i, "");
+  if (spec.name.empty()) throw InputError(key + ".name", "is missing; every block has a name of its own");
+  if (const auto [at, added] = first.emplace(spec.name, i); !added) {
+    throw InputError(key + ".name", quoted(spec.name) + " is already the name of " + indexed_key("block", at->second, ""));
+  }
+  check_support(spec, key);
+  Block block;
+  block.name = spec.name;
+  block.tag = spec.name;
+  set_part(spec.part, block);
+  block.material = find_material(model.materials, spec.material, key + ".material");
+  block.shape = shape_of(spec, key);
+  block.segment_size = (spec.faces.empty() ? shortest_edge(block.shape) : geometry::least_width(block.shape)) / 4.0;
+  block.fixed = spec.fixed;
+  block.free = spec.free;
+  block.velocity = spec.velocity;
+  block.angular_velocity = spec.angular_velocity;
+  if (spec.motion) {
+    block.support_motion = static_cast<std::int32_t>(model.support_motions.size());
+    model.support_motions.push_back(support_history(*spec.motion, key + ".motion.file"));
+  }
+  block.given = static_cast<std::int32_t>(i);
+  if (!spec.halves) {
+    model.blocks.push_back(std::move(block));
+    return;
+  }
+  check_halves(spec, key);
+  for (Block& half : moving_halves(spec, block)) {
+    if (const auto [at, added] = first.emplace(half.name, i); !added) {
+      throw InputError(key + ".name", quoted(half.name) + ", its half, is already the name of " + indexed_key("block", at->second, ""));
+    }
+    model.blocks.push_back(std::move(half));
+  }
+}
+
+}  // namespace
+
 void add_free_blocks(const Case& c, Model& model) {
   std::map<std::string, std::size_t> first;
-  for (std::size_t i = 0; i < c.blocks.size(); ++i) {
-    const BlockSpec& spec = c.blocks[i];
-    const std::string key = indexed_key("block", i, "");
-    if (spec.name.empty()) throw InputError(key + ".name", "is missing; every block has a name of its own");
-    if (const auto [at, added] = first.emplace(spec.name, i); !added) {
-      throw InputError(key + ".name", quoted(spec.name) + " is already the name of " + indexed_key("block", at->second, ""));
-    }
-    check_support(spec, key);
-    Block block;
-    block.name = spec.name;
-    block.tag = spec.name;
-    set_part(spec.part, block);
-    block.material = find_material(model.materials, spec.material, key + ".material");
-    block.shape = shape_of(spec, key);
-    block.segment_size = (spec.faces.empty() ? shortest_edge(block.shape) : geometry::least_width(block.shape)) / 4.0;
-    block.fixed = spec.fixed;
-    block.free = spec.free;
-    block.velocity = spec.velocity;
-    block.angular_velocity = spec.angular_velocity;
-    if (spec.motion) {
-      block.support_motion = static_cast<std::int32_t>(model.support_motions.size());
-      model.support_motions.push_back(support_history(*spec.motion, key + ".motion.file"));
-    }
-    block.given = static_cast<std::int32_t>(i);
-    if (!spec.halves) {
-      model.blocks.push_back(std::move(block));
-      continue;
-    }
-    check_halves(spec, key);
-    for (Block& half : moving_halves(spec, block)) {
-      if (const auto [at, added] = first.emplace(half.name, i); !added) {
-        throw InputError(key + ".name", quoted(half.name) + ", its half, is already the name of " + indexed_key("block", at->second, ""));
-      }
-      model.blocks.push_back(std::move(half));
-    }
-  }
+  Faults faults;
+  for (std::size_t i = 0; i < c.blocks.size(); ++i) faults.attempt([&] { add_free_block(c, i, first, model); });
+  faults.raise();
 }
 
 void set_part(const std::string& part, Block& block) {

@@ -28,25 +28,33 @@ namespace {
 constexpr double kMostSegments = 2e8;  // on all faces, 24 bytes each before the run starts: a limit against typing errors
 constexpr double kCellLengths = 3.0;   // bricks; times of a Flat20N with 2, 3 and 4 lengths are equal, with 1.5 and 6 longer
 
-void name_materials_and_laws(const Case& c, Model& model) {
+void check_material(const std::string& name, const Material& value) {
+  const std::string key = "materials." + name;
+  if (name == "base") throw InputError(key, "\"base\" is the ground under the model; give the material another name");
+  if (!(value.density > 0.0)) throw InputError(key + ".density", text(value.density) + " kg/m3; must be above 0");
+  if (!(value.young > 0.0)) throw InputError(key + ".young", text(value.young) + " Pa; must be above 0");
+  if (!(value.poisson >= 0.0 && value.poisson < 0.5)) {
+    throw InputError(key + ".poisson", text(value.poisson) + "; allowed: 0 to below 0.5");
+  }
+}
+
+void check_law(const std::string& name, const JointLaw& value) {
+  const std::string key = "joint_laws." + name;
+  if (name == "dry") throw InputError(key, "\"dry\" is always there and means no bond; give the law another name");
+  if (value.thickness > 0.0 && !(value.young > 0.0)) {
+    throw InputError(key + ".young",
+                     text(value.young) + " Pa; a joint with mortar (thickness = " + text(value.thickness) + " m) needs its modulus");
+  }
+}
+
+void name_materials_and_laws(const Case& c, Model& model, Faults& faults) {
   for (const auto& [name, value] : c.materials) {
-    const std::string key = "materials." + name;
-    if (name == "base") throw InputError(key, "\"base\" is the ground under the model; give the material another name");
-    if (!(value.density > 0.0)) throw InputError(key + ".density", text(value.density) + " kg/m3; must be above 0");
-    if (!(value.young > 0.0)) throw InputError(key + ".young", text(value.young) + " Pa; must be above 0");
-    if (!(value.poisson >= 0.0 && value.poisson < 0.5)) {
-      throw InputError(key + ".poisson", text(value.poisson) + "; allowed: 0 to below 0.5");
-    }
+    faults.attempt([&] { check_material(name, value); });
     model.materials.push_back({name, value});
   }
   model.laws.push_back({"dry", {}});
   for (const auto& [name, value] : c.joint_laws) {
-    const std::string key = "joint_laws." + name;
-    if (name == "dry") throw InputError(key, "\"dry\" is always there and means no bond; give the law another name");
-    if (value.thickness > 0.0 && !(value.young > 0.0)) {
-      throw InputError(key + ".young",
-                       text(value.young) + " Pa; a joint with mortar (thickness = " + text(value.thickness) + " m) needs its modulus");
-    }
+    faults.attempt([&] { check_law(name, value); });
     model.laws.push_back({name, value});
   }
 }
@@ -164,29 +172,36 @@ void pick_laws(const JointRules& rules, const StoneLaws& stones, Model& model) {
 
 namespace {
 
-/// The model with materials, laws and blocks, not yet assembled.
+void size_segments(const Case& c, Model& model) {
+  if (!c.segment_size) return;
+  if (!(*c.segment_size > 0.0)) throw InputError("segments.size", text(*c.segment_size) + " m; must be above 0");
+  for (Block& block : model.blocks) {
+    if (block.ground < 0) block.segment_size = *c.segment_size;
+  }
+}
+
+/// The model with materials, laws and blocks, not yet assembled; tells the faults of all of them, and of the names of laws, at once.
 Model model_of_blocks(const Case& c) {
   Model model;
+  Faults faults;
   model.origin = c.origin.value_or(Vec3{});
-  name_materials_and_laws(c, model);
+  name_materials_and_laws(c, model, faults);
   if (!c.house && c.blocks.empty() && c.stones.empty())
     throw InputError("", "describes nothing to simulate; give [house], [[block]] or [[stones]], or some of them");
-  if (c.house) {
+  faults.attempt([&] {
+    if (!c.house) return;
     for (NamedMaterial& loaded : loaded_materials(*c.house, model.materials)) model.materials.push_back(std::move(loaded));
-  }
+  });
   if (c.base && !c.base->parts.empty()) add_ground_material(model);
-  model.contact_friction = contact_friction(c.contact, model.materials);
-  check_loads(c);
-  if (c.house) add_house(c, model);
-  add_free_blocks(c, model);
-  add_stone_blocks(c, model);
-  add_ground(c, model);
-  if (c.segment_size) {
-    if (!(*c.segment_size > 0.0)) throw InputError("segments.size", text(*c.segment_size) + " m; must be above 0");
-    for (Block& block : model.blocks) {
-      if (block.ground < 0) block.segment_size = *c.segment_size;
-    }
-  }
+  faults.attempt([&] { model.contact_friction = contact_friction(c.contact, model.materials); });
+  faults.attempt([&] { check_loads(c); });
+  if (c.house) faults.attempt([&] { add_house(c, model); });
+  faults.attempt([&] { add_free_blocks(c, model); });
+  faults.attempt([&] { add_stone_blocks(c, model); });
+  if (!faults.any()) add_ground(c, model);
+  faults.attempt([&] { size_segments(c, model); });
+  faults.attempt([&] { JointRules(c, model); });
+  faults.raise();
   for (std::size_t i = 0; i < c.loads.size(); ++i) {
     model.load_history.push_back(c.loads[i].history ? static_cast<std::int32_t>(model.support_motions.size()) : -1);
     if (c.loads[i].history)

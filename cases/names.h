@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cases/model.h"
 
@@ -17,6 +18,12 @@ std::int32_t find_material(std::span<const NamedMaterial> materials, const std::
 
 /// Index of the joint law `name`; "dry" is 0. \throw InputError at `key` that lists the known names.
 std::int32_t find_law(std::span<const NamedLaw> laws, const std::string& name, const std::string& key);
+
+/// The name most similar to a misspelt one, or empty if none is similar.
+std::string nearest(std::string_view name, const std::vector<std::string>& names);
+
+/// The end of a message about an unknown name: "did you mean "front"? ", or nothing if none is similar.
+std::string did_you_mean(std::string_view name, const std::vector<std::string>& names);
 
 /// A number as text: at most nine digits, no trailing zeros.
 std::string text(double value);

@@ -136,25 +136,29 @@ bool has_timber(const House& house) noexcept {
          std::any_of(house.openings.begin(), house.openings.end(), [](const Opening& o) { return o.lintel.has_value(); });
 }
 
-std::vector<Block> build_house(const House& house, std::span<const NamedMaterial> materials) {
-  const HousePlan plan = plan_house(house);
-  HouseParts parts;
-  parts.masonry = find_material(materials, house.material, "house.material");
+namespace {
+
+/// Finds the materials of all parts.
+void find_materials(const House& house, std::span<const NamedMaterial> materials, HouseParts& parts, Faults& faults) {
+  const auto find = [&](std::int32_t& found, const std::string& name, const std::string& key) {
+    faults.attempt([&] { found = find_material(materials, name, key); });
+  };
+  find(parts.masonry, house.material, "house.material");
   parts.through = parts.masonry;
   if (house.leaves && house.leaves->through && house.leaves->through->material)
-    parts.through = find_material(materials, *house.leaves->through->material, "house.leaves.through.material");
+    find(parts.through, *house.leaves->through->material, "house.leaves.through.material");
   for (std::size_t i = 0; i < house.openings.size(); ++i) {
+    parts.arches.push_back(parts.masonry);
     const std::optional<Arch>& arch = house.openings[i].arch;
-    const bool own = arch && arch->material;
-    parts.arches.push_back(own ? find_material(materials, *arch->material, indexed_key("house.opening", i, "arch.material"))
-                               : parts.masonry);
+    if (arch && arch->material) find(parts.arches.back(), *arch->material, indexed_key("house.opening", i, "arch.material"));
   }
-  if (has_timber(house)) parts.timber = find_material(materials, house.wood.material, "house.wood.material");
+  if (has_timber(house)) find(parts.timber, house.wood.material, "house.wood.material");
+  if (faults.any()) return;
   parts.roof = roof_material(house, materials, parts);
   for (std::size_t i = 0; i < house.floors.size(); ++i) parts.floors.push_back(floor_material(house, i, materials, parts));
-  build_walls(house, plan, parts);
-  build_floors(house, plan, parts);
-  if (house.reinforcement) build_reinforcement(house, plan, parts);
+}
+
+void build_roof(const House& house, const HousePlan& plan, HouseParts& parts) {
   switch (house.roof.kind) {
     case RoofKind::flat:
       build_flat_roof(house, plan, parts);
@@ -173,6 +177,23 @@ std::vector<Block> build_house(const House& house, std::span<const NamedMaterial
     case RoofKind::none:
       break;
   }
+}
+
+}  // namespace
+
+std::vector<Block> build_house(const House& house, std::span<const NamedMaterial> materials) {
+  const HousePlan plan = plan_as_far_as_possible(house);
+  Faults faults = plan.faults;
+  HouseParts parts;
+  find_materials(house, materials, parts, faults);
+  if (!faults.any()) {
+    build_walls(house, plan, parts);
+    build_floors(house, plan, parts);
+  }
+  // Roof and reinforcement tell their faults beside those of the walls.
+  if (house.reinforcement) faults.attempt([&] { build_reinforcement(house, plan, parts); });
+  faults.attempt([&] { build_roof(house, plan, parts); });
+  faults.raise();
   return placed_copies(house, plan, parts);
 }
 

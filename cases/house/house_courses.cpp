@@ -28,6 +28,7 @@ std::vector<Level> levels_of(const House& house, const HousePlan& plan) {
   for (std::size_t i = 0; i < house.storeys.size(); ++i)
     levels.push_back({plan.storeys[i + 1].high, indexed_key("house.storey", i, "height"), house.storeys[i].height, true});
   for (std::size_t i = 0; i < house.openings.size(); ++i) {
+    if (!plan.opening_stands[i]) continue;
     const Opening& opening = house.openings[i];
     const auto key = [i](const char* field) { return indexed_key("house.opening", i, field); };
     const Tick foot = plan.storeys[static_cast<std::size_t>(opening.storey) - 1].low;
@@ -53,29 +54,35 @@ std::vector<Level> levels_of(const House& house, const HousePlan& plan) {
 }
 
 /// Refuses two levels with less than the least course height between them; the later one in the case is at fault.
-[[noreturn]] void refuse(const Level& first, const Level& later, Tick lowest) {
+InputError too_near(const Level& first, const Level& later, Tick lowest) {
   const Tick onto = ticks(later.value) + later.sign * (first.at - later.at);
   const Tick nearest = later.is_size && onto <= 0 ? lowest : onto;
-  throw InputError(
-      later.key, text(later.value) + " m ends a course at " + metres_text(later.at) + " m, " + metres_text(std::abs(later.at - first.at)) +
-                     " m from where " + (first.key.empty() ? "the walls begin" : first.key + " ends one") +
-                     "; a course of cut bricks is at least " + metres_text(lowest) + " m high; nearest: " + metres_text(nearest) + " m");
+  return {later.key, text(later.value) + " m ends a course at " + metres_text(later.at) + " m, " +
+                         metres_text(std::abs(later.at - first.at)) + " m from where " +
+                         (first.key.empty() ? "the walls begin" : first.key + " ends one") + "; a course of cut bricks is at least " +
+                         metres_text(lowest) + " m high; nearest: " + metres_text(nearest) + " m"};
 }
 
-void check(const std::vector<Level>& levels, Tick lowest) {
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const Tick apart = std::abs(levels[i].at - levels[j].at);
-      if (apart > 0 && apart < lowest) refuse(levels[j], levels[i], lowest);
-    }
+/// Refuses levels too near to an earlier one that is kept. \return those that are kept
+std::vector<Level> kept(const std::vector<Level>& levels, Tick lowest, Faults& faults) {
+  std::vector<Level> good;
+  for (const Level& level : levels) {
+    const auto near = std::ranges::find_if(good, [&](const Level& earlier) {
+      const Tick apart = std::abs(level.at - earlier.at);
+      return apart > 0 && apart < lowest;
+    });
+    if (near == good.end())
+      good.push_back(level);
+    else
+      faults.add(too_near(*near, level, lowest));
   }
+  return good;
 }
 
 }  // namespace
 
 void plan_courses(const House& house, HousePlan& plan) {
-  const std::vector<Level> levels = levels_of(house, plan);
-  check(levels, plan.lowest_course());
+  const std::vector<Level> levels = kept(levels_of(house, plan), plan.lowest_course(), plan.faults);
   std::vector<Tick> beds;
   for (const Level& level : levels) beds.push_back(level.at);
   std::ranges::sort(beds);

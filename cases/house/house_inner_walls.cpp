@@ -55,26 +55,29 @@ void check_place(const House& house, std::size_t index, const WallPlan& wall, co
   }
 }
 
+void plan_inner_wall(const House& house, std::size_t i, int storey, HousePlan& plan) {
+  const InnerWall& inner = house.inner_walls[i];
+  check_name(house, i);
+  check_storeys(house, i);
+  if (!goes_through(inner, storey)) return;
+  WallPlan wall;
+  wall.inner = static_cast<std::int32_t>(i);
+  wall.storey = storey;
+  wall.along_x = inner.along == PlanAxis::x;
+  wall.at = positive_length(inner.at, indexed_key("house.inner_wall", i, "at"));
+  wall.length = plan.outer[wall.along_x ? 0 : 1];
+  wall.thickness =
+      multiple_or_nearest(inner.thickness, plan.brick_width, indexed_key("house.inner_wall", i, "thickness"), "brick widths", plan.faults);
+  wall.corner = plan.wall(wall.along_x ? Side::left : Side::front, storey).thickness;
+  wall.height = nth(plan.storeys, storey);
+  check_place(house, i, wall, plan);
+  plan.walls.push_back(wall);
+}
+
 }  // namespace
 
 void plan_inner_walls(const House& house, int storey, HousePlan& plan) {
-  for (std::size_t i = 0; i < house.inner_walls.size(); ++i) {
-    const InnerWall& inner = house.inner_walls[i];
-    check_name(house, i);
-    check_storeys(house, i);
-    if (!goes_through(inner, storey)) continue;
-    WallPlan wall;
-    wall.inner = static_cast<std::int32_t>(i);
-    wall.storey = storey;
-    wall.along_x = inner.along == PlanAxis::x;
-    wall.at = positive_length(inner.at, indexed_key("house.inner_wall", i, "at"));
-    wall.length = plan.outer[wall.along_x ? 0 : 1];
-    wall.thickness = multiple_of(inner.thickness, plan.brick_width, indexed_key("house.inner_wall", i, "thickness"), "brick widths");
-    wall.corner = plan.wall(wall.along_x ? Side::left : Side::front, storey).thickness;
-    wall.height = nth(plan.storeys, storey);
-    check_place(house, i, wall, plan);
-    plan.walls.push_back(wall);
-  }
+  for (std::size_t i = 0; i < house.inner_walls.size(); ++i) plan.faults.attempt([&] { plan_inner_wall(house, i, storey, plan); });
 }
 
 }  // namespace voussoir::cases

@@ -31,13 +31,15 @@ WallPlan& wall_of(const House& house, std::size_t index, HousePlan& plan) {
     if (!wall.built) throw InputError(opening_key(index, "wall"), quoted(opening.wall) + " is not built; see house.walls");
     return wall;
   }
-  std::string allowed = "front, rear, left, right";
+  std::vector<std::string> names{"front", "rear", "left", "right"};
   for (const WallPlan& wall : plan.walls) {
-    if (wall.inner >= 0 && wall.storey == opening.storey - 1) allowed += ", " + nth(house.inner_walls, wall.inner).name;
+    if (wall.inner >= 0 && wall.storey == opening.storey - 1) names.push_back(nth(house.inner_walls, wall.inner).name);
   }
-  throw InputError(
-      opening_key(index, "wall"),
-      quoted(opening.wall) + " is no wall" + (storeys > 1 ? " of storey " + std::to_string(opening.storey) : "") + "; allowed: " + allowed);
+  std::string allowed;
+  for (const std::string& name : names) allowed += (allowed.empty() ? "" : ", ") + name;
+  throw InputError(opening_key(index, "wall"), quoted(opening.wall) + " is no wall" +
+                                                   (storeys > 1 ? " of storey " + std::to_string(opening.storey) : "") + "; " +
+                                                   did_you_mean(opening.wall, names) + "allowed: " + allowed);
 }
 
 /// The range of a wall in which a hole may lie: between the inner corners, since the meeting wall has every second course of the corner.
@@ -59,7 +61,7 @@ void refuse_crossing(const House& house, const Hole& hole, const char* field, do
   }
 }
 
-Hole opening_hole(const House& house, std::size_t index, const HousePlan& plan, const WallPlan& wall) {
+Interval along_of(const House& house, std::size_t index, const HousePlan& plan, const WallPlan& wall) {
   const Opening& opening = house.openings[index];
   const Interval room = between_corners(wall);
   const Tick width = positive_length(opening.width, opening_key(index, "width"));
@@ -75,6 +77,12 @@ Hole opening_hole(const House& house, std::size_t index, const HousePlan& plan, 
                                                      metres_text(room.high) + " m; allowed: " + metres_text(room.low) + " to " +
                                                      metres_text(room.high - width) + " m");
   }
+  refuse_crossing(house, {along, {}, index, false}, "from", opening.from, wall, plan);
+  return along;
+}
+
+Interval height_of(const House& house, std::size_t index, const WallPlan& wall) {
+  const Opening& opening = house.openings[index];
   const Tick sill = opening.sill == 0.0 ? 0 : positive_length(opening.sill, opening_key(index, "sill"));
   const Tick height = positive_length(opening.height, opening_key(index, "height"));
   const Tick top = wall.height.length();
@@ -86,8 +94,7 @@ Hole opening_hole(const House& house, std::size_t index, const HousePlan& plan, 
                                                        " m is over the height of the wall (" + metres_text(top) + " m); at most " +
                                                        metres_text(top - sill) + " m");
   }
-  refuse_crossing(house, {along, {}, index, false}, "from", opening.from, wall, plan);
-  return {along, {wall.height.low + sill, wall.height.low + sill + height}, index, false, {0, wall.thickness}};
+  return {wall.height.low + sill, wall.height.low + sill + height};
 }
 
 /// Range of a lintel, centred on the opening.
@@ -157,15 +164,39 @@ void add_hole(const House& house, const Hole& hole, WallPlan& wall) {
   wall.holes.push_back(hole);
 }
 
-void add_holes(const House& house, HousePlan& plan) {
-  add_ground_holes(house, plan);
-  for (std::size_t i = 0; i < house.openings.size(); ++i) {
-    WallPlan& wall = wall_of(house, i, plan);
-    const Hole hole = opening_hole(house, i, plan, wall);
-    add_hole(house, hole, wall);
-    if (house.openings[i].lintel) add_hole(house, lintel_hole(house, hole, plan, wall), wall);
-    if (house.openings[i].arch) add_hole(house, frame_of_arch(house, hole, plan, wall), wall);
+/// Whether an inner wall of the case has the name, and so an opening in it is not at fault if the wall could not be laid out.
+bool names_inner_wall(const House& house, const std::string& wall) {
+  return std::ranges::any_of(house.inner_walls, [&](const InnerWall& inner) { return inner.name == wall; });
+}
+
+void add_opening(const House& house, std::size_t index, HousePlan& plan) {
+  const Opening& opening = house.openings[index];
+  WallPlan* wall = nullptr;
+  Interval along, height;
+  Faults no_wall;
+  if (!no_wall.attempt([&] { wall = &wall_of(house, index, plan); })) {
+    if (!plan.faults.any() || !names_inner_wall(house, opening.wall)) no_wall.raise();
+    return;
   }
+  const bool stands = plan.faults.attempt([&] { height = height_of(house, index, *wall); });
+  plan.opening_stands[index] = stands;
+  if (!plan.faults.attempt([&] { along = along_of(house, index, plan, *wall); }) || !stands) return;
+  const Hole hole{along, height, index, false, {0, wall->thickness}};
+  add_hole(house, hole, *wall);
+  if (opening.lintel) {
+    const auto lintel = [&] { add_hole(house, lintel_hole(house, hole, plan, *wall), *wall); };
+    plan.opening_stands[index] = plan.faults.attempt(lintel);
+  }
+  if (opening.arch) {
+    const auto arch = [&] { add_hole(house, frame_of_arch(house, hole, plan, *wall), *wall); };
+    plan.opening_stands[index] = plan.faults.attempt(arch) && plan.opening_stands[index];
+  }
+}
+
+void add_holes(const House& house, HousePlan& plan) {
+  plan.faults.attempt([&] { add_ground_holes(house, plan); });
+  plan.opening_stands.assign(house.openings.size(), false);
+  for (std::size_t i = 0; i < house.openings.size(); ++i) plan.faults.attempt([&] { add_opening(house, i, plan); });
   for (WallPlan& wall : plan.walls) {
     std::sort(wall.holes.begin(), wall.holes.end(), [](const Hole& a, const Hole& b) { return a.along.low < b.along.low; });
   }
@@ -190,72 +221,77 @@ const Hole* hole_beside(const WallPlan& wall, Interval piece, Interval height) {
   return found;
 }
 
-std::optional<ShortPiece> find_short_piece(const HousePlan& plan) {
+/// Short pieces in order, one for each hole that causes some.
+std::vector<ShortPiece> find_short_pieces(const HousePlan& plan) {
+  std::vector<ShortPiece> found;
+  const auto known = [&](const Hole* hole) {
+    return std::ranges::any_of(found, [&](const ShortPiece& p) {
+      return p.hole == hole || (hole != nullptr && p.hole != nullptr && hole->floor >= 0 && hole->floor == p.hole->floor);
+    });
+  };
   for (const WallPlan& wall : plan.walls) {
     for (int course = 0; course < plan.course_count(); ++course) {
       for (const Wythe& wythe : wythes(plan, wall, course)) {
         for (const Interval piece : free_spans(plan, wall, course, wythe.depth)) {
-          if (piece.length() < plan.shortest_piece()) return ShortPiece{piece, &wall, hole_beside(wall, piece, nth(plan.courses, course))};
+          if (piece.length() >= plan.shortest_piece()) continue;
+          const Hole* hole = hole_beside(wall, piece, nth(plan.courses, course));
+          if (!known(hole)) found.push_back({piece, &wall, hole});
         }
       }
     }
   }
-  return std::nullopt;
+  return found;
 }
 
-/// Whether the openings can be built. Used on changed openings, so that advice in messages is valid.
-bool fits(const House& house, HousePlan plan) {
+/// Number of faults of openings and floors. Used on changed openings, so that advice in messages is valid.
+std::size_t faults_with(const House& house, HousePlan plan) {
   for (WallPlan& wall : plan.walls) wall.holes.clear();
-  try {
-    add_holes(house, plan);
-    plan_floors(house, plan);
-    plan_courses(house, plan);
-  } catch (const InputError&) {
-    return false;
-  }
-  return !find_short_piece(plan);
+  plan.faults = {};
+  add_holes(house, plan);
+  plan_floors(house, plan);
+  plan_courses(house, plan);
+  return plan.faults.count() + find_short_pieces(plan).size();
 }
 
 /// The nearest valid value of one length of the house, as the end of a message. `changes` are tried from the smallest.
 std::string advice(const House& house, const HousePlan& plan, const std::function<double&(House&)>& length, std::array<Tick, 2> changes) {
   std::sort(changes.begin(), changes.end(), [](Tick a, Tick b) { return std::abs(a) < std::abs(b); });
+  const std::size_t now = faults_with(house, plan);
   for (const Tick change : changes) {
     House other = house;
     double& value = length(other);
     value = metres(ticks(value) + change);
-    if (fits(other, plan)) return "; nearest that fits: " + text(value) + " m";
+    if (faults_with(other, plan) < now) return "; nearest that fits: " + text(value) + " m";
   }
   return "; move or resize it";
 }
 
-void refuse_short_pieces(const House& house, const HousePlan& plan) {
-  const std::optional<ShortPiece> found = find_short_piece(plan);
-  if (!found) return;
-  const Tick gap = found->piece.length();
+[[noreturn]] void refuse_short_piece(const House& house, const HousePlan& plan, const ShortPiece& found) {
+  const Tick gap = found.piece.length();
   const Tick lack = plan.shortest_piece() - gap;
-  const std::string problem = " leaves a piece of the " + wall_name(house, *found->wall) + " " + metres_text(gap) + " m long (" +
-                              from_to(found->piece) + "); a piece is at least " + metres_text(plan.shortest_piece()) + " m, half a brick";
-  if (found->hole == nullptr) throw InputError("house.inner_size", "this size" + problem);
-  if (found->hole->ground >= 0) throw InputError(hole_key(*found->hole), "ends where it" + problem + "; move its end");
-  if (found->hole->floor >= 0) {
-    const auto floor = static_cast<std::size_t>(found->hole->floor);
+  const std::string problem = " leaves a piece of the " + wall_name(house, *found.wall) + " " + metres_text(gap) + " m long (" +
+                              from_to(found.piece) + "); a piece is at least " + metres_text(plan.shortest_piece()) + " m, half a brick";
+  if (found.hole == nullptr) throw InputError("house.inner_size", "this size" + problem);
+  if (found.hole->ground >= 0) throw InputError(hole_key(*found.hole), "ends where it" + problem + "; move its end");
+  if (found.hole->floor >= 0) {
+    const auto floor = static_cast<std::size_t>(found.hole->floor);
     throw InputError(indexed_key("house.floor", floor, "spacing"),
                      text(house.floors[floor].spacing) + " m" + problem + "; choose another, or move what is beside the beam");
   }
-  const std::size_t index = found->hole->opening;
+  const std::size_t index = found.hole->opening;
   const Opening& opening = house.openings[index];
   // A change removes the piece, or makes it half a brick long.
-  if (found->hole->lintel) {
+  if (found.hole->lintel) {
     const auto length = [index](House& h) -> double& { return h.openings[index].lintel->length; };
     throw InputError(opening_key(index, "lintel.length"),  // both ends move: twice the change
                      text(opening.lintel->length) + " m" + problem + advice(house, plan, length, {2 * gap, -2 * lack}));
   }
-  if (found->hole->arch) {
+  if (found.hole->arch) {
     const auto springer = [index](House& h) -> double& { return h.openings[index].arch->springer; };
     throw InputError(opening_key(index, "arch.springer"),
                      text(opening.arch->springer) + " m" + problem + advice(house, plan, springer, {gap, -lack}));
   }
-  const bool piece_before = found->hole->along.low == found->piece.high;
+  const bool piece_before = found.hole->along.low == found.piece.high;
   const auto from = [index](House& h) -> double& { return h.openings[index].from; };
   const std::array<Tick, 2> changes = piece_before ? std::array<Tick, 2>{-gap, lack} : std::array<Tick, 2>{gap, -lack};
   throw InputError(opening_key(index, "from"), text(opening.from) + " m" + problem + advice(house, plan, from, changes));
@@ -307,7 +343,7 @@ void plan_openings(const House& house, HousePlan& plan) {
   add_holes(house, plan);
   plan_floors(house, plan);
   plan_courses(house, plan);
-  refuse_short_pieces(house, plan);
+  for (const ShortPiece& found : find_short_pieces(plan)) plan.faults.attempt([&] { refuse_short_piece(house, plan, found); });
 }
 
 }  // namespace voussoir::cases

@@ -59,31 +59,33 @@ void check_place(const House& house, std::size_t index, const WallPlan& wall, In
   }
 }
 
+void plan_pier(const House& house, std::size_t i, HousePlan& plan) {
+  const Side side = side_of(house, i, plan);
+  const Sizes s = sizes_of(house, i, plan);
+  std::vector<WallPlan> parts;
+  for (WallPlan& wall : plan.walls) {
+    if (!wall.outer() || wall.side != side || wall.height.low >= s.height) continue;
+    check_place(house, i, wall, s.along, plan);
+    const bool far = side == Side::rear || side == Side::right;
+    WallPlan part;
+    part.side = side, part.pier = static_cast<std::int32_t>(i), part.storey = wall.storey;
+    part.along_x = !wall.along_x;
+    part.at = s.along.low, part.thickness = s.along.length();
+    const Tick outer = plan.outer[part.along_x ? 0 : 1];
+    part.from = far ? outer - wall.thickness : -s.depth, part.length = wall.thickness + s.depth;
+    part.height = {wall.height.low, std::min(wall.height.high, s.height)};
+    const Interval in_wall = far ? Interval{outer - wall.thickness, outer} : Interval{0, wall.thickness};
+    part.crossings = {{in_wall, part.height}};
+    wall.crossings.push_back({s.along, part.height});
+    parts.push_back(std::move(part));
+  }
+  plan.walls.insert(plan.walls.end(), parts.begin(), parts.end());
+}
+
 }  // namespace
 
 void plan_piers(const House& house, HousePlan& plan) {
-  for (std::size_t i = 0; i < house.piers.size(); ++i) {
-    const Side side = side_of(house, i, plan);
-    const Sizes s = sizes_of(house, i, plan);
-    std::vector<WallPlan> parts;
-    for (WallPlan& wall : plan.walls) {
-      if (!wall.outer() || wall.side != side || wall.height.low >= s.height) continue;
-      check_place(house, i, wall, s.along, plan);
-      const bool far = side == Side::rear || side == Side::right;
-      WallPlan part;
-      part.side = side, part.pier = static_cast<std::int32_t>(i), part.storey = wall.storey;
-      part.along_x = !wall.along_x;
-      part.at = s.along.low, part.thickness = s.along.length();
-      const Tick outer = plan.outer[part.along_x ? 0 : 1];
-      part.from = far ? outer - wall.thickness : -s.depth, part.length = wall.thickness + s.depth;
-      part.height = {wall.height.low, std::min(wall.height.high, s.height)};
-      const Interval in_wall = far ? Interval{outer - wall.thickness, outer} : Interval{0, wall.thickness};
-      part.crossings = {{in_wall, part.height}};
-      wall.crossings.push_back({s.along, part.height});
-      parts.push_back(std::move(part));
-    }
-    plan.walls.insert(plan.walls.end(), parts.begin(), parts.end());
-  }
+  for (std::size_t i = 0; i < house.piers.size(); ++i) plan.faults.attempt([&] { plan_pier(house, i, plan); });
 }
 
 }  // namespace voussoir::cases

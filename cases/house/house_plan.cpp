@@ -21,7 +21,7 @@ constexpr double kFarOff = 1e7;        // m, from the origin of the axes: as kFa
 constexpr double kMostElements = 2e7;  // limit, so that a mistyped brick size does not exhaust the memory
 
 /// Refuses a brick format in which two widths and the joint between them are not one length.
-[[noreturn]] void refuse_format(const House& house) {
+void refuse_format(const House& house) {
   const double length = house.brick[0], width = house.brick[1], joint = length - 2.0 * width;
   const std::string with_mortar = house.mortar == 0.0 ? "" : " and mortar of " + text(house.mortar) + " m";
   const std::string fitting = joint > 0.0 && joint < 0.25 * house.brick[2] ? ", mortar = " + text(metres(ticks(joint))) : "";
@@ -47,18 +47,21 @@ void plan_bricks(const House& house, HousePlan& plan) {
   plan.brick_width = positive_length(house.brick[1], "house.brick") + mortar;
   plan.brick_height = positive_length(house.brick[2], "house.brick") + mortar;
   if (mortar >= plan.brick_height - mortar) {
-    throw InputError("house.mortar", text(house.mortar) + " m is not less than the height of a brick (" + text(house.brick[2]) + " m)");
+    plan.faults.add({"house.mortar", text(house.mortar) + " m is not less than the height of a brick (" + text(house.brick[2]) + " m)"});
   }
-  if (house.bond == Bond::rubble) check_rubble(house);
-  if (house.bond != Bond::running && house.bond != Bond::rubble && plan.brick_length != 2 * plan.brick_width) refuse_format(house);
+  if (house.bond == Bond::rubble) plan.faults.attempt([&] { check_rubble(house); });
+  if (house.bond != Bond::running && house.bond != Bond::rubble && plan.brick_length != 2 * plan.brick_width) {
+    plan.faults.attempt([&] { refuse_format(house); });
+    plan.brick_length = 2 * plan.brick_width;  // as the remedy says; what follows is judged by it
+  }
   if (plan.brick_length < plan.brick_width) {
     throw InputError("house.brick",
                      "a brick must not be wider (" + text(house.brick[1]) + " m) than long (" + text(house.brick[0]) + " m)");
   }
 }
 
-Tick thickness_of(double value, const HousePlan& plan, const std::string& key) {
-  return multiple_of(value, plan.brick_width, key, "brick widths");
+Tick thickness_of(double value, HousePlan& plan, const std::string& key) {
+  return multiple_or_nearest(value, plan.brick_width, key, "brick widths", plan.faults);
 }
 
 /// Sets the heights of the storeys, from the bottom up.
@@ -73,7 +76,7 @@ void plan_storeys(const House& house, HousePlan& plan) {
 }
 
 /// Thicknesses of the bearing and the other walls, by storey.
-std::vector<std::array<Tick, 2>> plan_thicknesses(const House& house, const HousePlan& plan) {
+std::vector<std::array<Tick, 2>> plan_thicknesses(const House& house, HousePlan& plan) {
   std::vector<std::array<Tick, 2>> all{
       {thickness_of(house.bearing_wall, plan, "house.bearing_wall"), thickness_of(house.nonbearing_wall, plan, "house.nonbearing_wall")}};
   for (std::size_t i = 0; i < house.storeys.size(); ++i) {
@@ -83,8 +86,9 @@ std::vector<std::array<Tick, 2>> plan_thicknesses(const House& house, const Hous
       if (!given[k]) continue;
       const std::string key = indexed_key("house.storey", i, k == 0 ? "bearing_wall" : "nonbearing_wall");
       here[k] = thickness_of(*given[k], plan, key);
-      if (here[k] > all.back()[k])
-        throw InputError(key, text(*given[k]) + " m is thicker than the wall below; at most " + text(metres(all.back()[k])) + " m");
+      if (here[k] <= all.back()[k]) continue;
+      plan.faults.add({key, text(*given[k]) + " m is thicker than the wall below; at most " + text(metres(all.back()[k])) + " m"});
+      here[k] = all.back()[k];
     }
     all.push_back(here);
   }
@@ -228,6 +232,12 @@ Tick multiple_of(double value, Tick unit, const std::string& key, const char* un
   return length;
 }
 
+Tick multiple_or_nearest(double value, Tick unit, const std::string& key, const char* unit_name, Faults& faults) {
+  Tick length = std::max<Tick>(1, (positive_length(value, key) + unit / 2) / unit) * unit;
+  faults.attempt([&] { length = multiple_of(value, unit, key, unit_name); });
+  return length;
+}
+
 std::array<double, 3> brick_with_mortar(const House& house) noexcept {
   return {house.brick[0] + house.mortar, house.brick[1] + house.mortar, house.brick[2] + house.mortar};
 }
@@ -304,17 +314,26 @@ std::vector<Interval> cut_member(Interval member, Tick element) {
   return parts;
 }
 
-HousePlan plan_house(const House& house) {
+HousePlan plan_as_far_as_possible(const House& house) {
   HousePlan plan;
-  plan_bricks(house, plan);
-  plan_storeys(house, plan);
-  plan_walls(house, plan);
-  choose_walls(house, plan);
-  plan_leaves(house, plan);
+  const bool walls = plan.faults.attempt([&] {
+    plan_bricks(house, plan);
+    plan_storeys(house, plan);
+    plan_walls(house, plan);
+    choose_walls(house, plan);
+  });
+  if (!walls) plan.faults.raise();
+  plan.faults.attempt([&] { plan_leaves(house, plan); });
   plan_crossings(plan);
   plan_piers(house, plan);
-  plan_copies(house, plan);
+  if (!plan.faults.attempt([&] { plan_copies(house, plan); })) plan.faults.raise();  // it may be too large to go on with
   plan_openings(house, plan);
+  return plan;
+}
+
+HousePlan plan_house(const House& house) {
+  HousePlan plan = plan_as_far_as_possible(house);
+  plan.faults.raise();
   return plan;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cases/house/house_case.h"
+#include "cases/input_error.h"
 
 /// The checked plan of a house in exact lengths, shared by the builders of its parts (house_wall, house_roof). Internal to cases/.
 namespace voussoir::cases {
@@ -87,13 +88,16 @@ struct FloorPlan {
 struct HousePlan {
   Tick brick_length = 0, brick_width = 0, brick_height = 0;  // including mortar
   Bond bond = Bond::english;
-  Tick height = 0;                // of all storeys together
-  std::vector<Interval> courses;  // heights, common to all walls
-  std::array<Tick, 2> outer{};    // along x and y
-  std::vector<Interval> storeys;  // heights
-  std::vector<WallPlan> walls;    // storey by storey: outer walls by Side, then inner walls; piers after all storeys
-  std::vector<FloorPlan> floors;  // by House::floors
-  int quarter_turns = 0;          // 0 to 3
+  Tick height = 0;                   // of all storeys together
+  std::vector<Interval> courses;     // heights, common to all walls
+  std::array<Tick, 2> outer{};       // along x and y
+  std::vector<Interval> storeys;     // heights
+  std::vector<WallPlan> walls;       // storey by storey: outer walls by Side, then inner walls; piers after all storeys
+  std::vector<FloorPlan> floors;     // by House::floors
+  std::vector<bool> opening_stands;  // by House::openings: its heights are within its wall
+  int quarter_turns = 0;             // 0 to 3
+  Faults faults;                     // what of the house does not fit; what depends on it alone is left out, and a length that does not fit
+                                     // the bricks is laid out as the nearest one that does
 
   /// An outer wall of a storey.
   [[nodiscard]] const WallPlan& wall(Side side, int storey) const noexcept;
@@ -117,6 +121,10 @@ std::string wall_tag(const House& house, const WallPlan& wall, const char* what 
 /// \throw InputError with the key at fault.
 HousePlan plan_house(const House& house);
 
+/// The same, with faults in HousePlan::faults where what is beside them can be laid out all the same.
+/// \throw InputError where it cannot
+HousePlan plan_as_far_as_possible(const House& house);
+
 /// Length, width and height of a brick including mortar [m].
 std::array<double, 3> brick_with_mortar(const House& house) noexcept;
 
@@ -130,6 +138,9 @@ Tick positive_length(double value, const std::string& key);
 
 /// A positive length that must be a multiple of `unit`. \throw InputError at `key` with the nearest length that fits.
 Tick multiple_of(double value, Tick unit, const std::string& key, const char* unit_name);
+
+/// The same, or the nearest length that fits with the fault in `faults`. \throw InputError if it is not above zero, or beyond 10 km
+Tick multiple_or_nearest(double value, Tick unit, const std::string& key, const char* unit_name, Faults& faults);
 
 /// Element length of a member of the length `member`. \throw InputError at `key` if it is not above zero, or would give more than a
 /// thousand elements.

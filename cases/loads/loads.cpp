@@ -44,24 +44,29 @@ void share_out(const Model& model, const Load& load, const std::vector<std::int3
   for (const std::int32_t e : parts) out.push_back({e, mass(e).volume / volume, mass(e).centroid});
 }
 
+void check_load(const Case& c, std::size_t i) {
+  const Load& load = c.loads[i];
+  const std::string key = indexed_key("load", i, "block");
+  const BlockSpec* named = block_named(c, load.block);
+  if (named == nullptr && !is_stone_or_group(c, load.block)) {
+    std::vector<std::string> names;
+    for (const BlockSpec& b : c.blocks) names.push_back(b.name);
+    throw InputError(key, "there is no [[block]]" + std::string(c.stones.empty() ? "" : ", stone or group") + " named " +
+                              quoted(load.block) + (names.empty() ? "" : "; " + did_you_mean(load.block, names)));
+  }
+  if (named != nullptr && named->fixed) throw InputError(key, quoted(load.block) + " is fixed, a load cannot move it");
+  if (!(load.ramp[0] <= load.ramp[1])) {
+    throw InputError(indexed_key("load", i, "ramp"),
+                     "begins at " + text(load.ramp[0]) + " s, after its end at " + text(load.ramp[1]) + " s");
+  }
+}
+
 }  // namespace
 
 void check_loads(const Case& c) {
-  for (std::size_t i = 0; i < c.loads.size(); ++i) {
-    const Load& load = c.loads[i];
-    const BlockSpec* named = block_named(c, load.block);
-    if (named == nullptr && !is_stone_or_group(c, load.block)) {
-      throw InputError(indexed_key("load", i, "block"),
-                       "there is no [[block]]" + std::string(c.stones.empty() ? "" : ", stone or group") + " named " + quoted(load.block));
-    }
-    if (named != nullptr && named->fixed) {
-      throw InputError(indexed_key("load", i, "block"), quoted(load.block) + " is fixed, a load cannot move it");
-    }
-    if (!(load.ramp[0] <= load.ramp[1])) {
-      throw InputError(indexed_key("load", i, "ramp"),
-                       "begins at " + text(load.ramp[0]) + " s, after its end at " + text(load.ramp[1]) + " s");
-    }
-  }
+  Faults faults;
+  for (std::size_t i = 0; i < c.loads.size(); ++i) faults.attempt([&] { check_load(c, i); });
+  faults.raise();
 }
 
 std::vector<LoadShare> load_shares(const Model& model, const Load& load, std::size_t index) {

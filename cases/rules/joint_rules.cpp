@@ -7,6 +7,7 @@
 
 #include "cases/case.h"
 #include "cases/house/house.h"
+#include "cases/input_error.h"
 #include "cases/names.h"
 #include "cases/solids/ground.h"
 #include "geometry/nth.h"
@@ -40,50 +41,63 @@ bool are_leaves(const Block& a, const Block& b) noexcept { return a.leaf >= 0 &&
 
 JointRules::JointRules(const Case& c, const Model& model) {
   for (const NamedMaterial& m : model.materials) made_from_.push_back(m.made_from);
+  Faults faults;
+  const auto law = [&](const std::string& name, const std::string& key) {
+    std::int32_t found = 0;
+    faults.attempt([&] { found = find_law(model.laws, name, key); });
+    return found;
+  };
+  const auto mortar = [&](const NamedLaw& named) { faults.attempt([&] { check_mortar(*c.house, named); }); };
   if (c.house) {
-    masonry_ = find_law(model.laws, c.house->joint, "house.joint");
-    check_mortar(*c.house, nth(model.laws, masonry_));
+    masonry_ = law(c.house->joint, "house.joint");
+    mortar(nth(model.laws, masonry_));
     collar_ = masonry_;
     if (c.house->leaves && c.house->leaves->joint) {
-      collar_ = find_law(model.laws, *c.house->leaves->joint, "house.leaves.joint");
-      if (const NamedLaw& law = nth(model.laws, collar_); law.value.thickness > 0.0) check_mortar(*c.house, law);
+      collar_ = law(*c.house->leaves->joint, "house.leaves.joint");
+      if (const NamedLaw& own = nth(model.laws, collar_); own.value.thickness > 0.0) mortar(own);
     }
     // Keys of parts that the house lacks may name laws that the case lacks.
     if (has_timber(*c.house)) {
-      within_member_ = find_law(model.laws, c.house->wood.within_member, "house.wood.within_member");
-      between_members_ = find_law(model.laws, c.house->wood.between_members, "house.wood.between_members");
+      within_member_ = law(c.house->wood.within_member, "house.wood.within_member");
+      between_members_ = law(c.house->wood.between_members, "house.wood.between_members");
       const auto& timber = c.house->wood.timber_on_timber;
-      timber_on_timber_ = timber ? find_law(model.laws, *timber, "house.wood.timber_on_timber") : between_members_;
+      timber_on_timber_ = timber ? law(*timber, "house.wood.timber_on_timber") : between_members_;
     }
     if (c.house->roof.kind == RoofKind::flat || c.house->roof.kind == RoofKind::pitched)
-      between_beams_ = find_law(model.laws, c.house->roof.between_beams, "house.roof.between_beams");
+      between_beams_ = law(c.house->roof.between_beams, "house.roof.between_beams");
     edge_beams_ = between_beams_;
     if (c.house->roof.kind == RoofKind::flat && c.house->roof.edge_beams) {
-      edge_beams_ = find_law(model.laws, *c.house->roof.edge_beams, "house.roof.edge_beams");
+      edge_beams_ = law(*c.house->roof.edge_beams, "house.roof.edge_beams");
       edge_members_ = end_beams(model);
     }
     for (std::size_t i = 0; i < c.house->floors.size(); ++i)
-      floors_.push_back(find_law(model.laws, c.house->floors[i].joint, indexed_key("house.floor", i, "joint")));
+      floors_.push_back(law(c.house->floors[i].joint, indexed_key("house.floor", i, "joint")));
   }
   for (std::size_t i = 0; i < c.joints.between.size(); ++i) {
     const JointRule& rule = c.joints.between[i];
-    Rule resolved{{geometry::kBase, geometry::kBase}, find_law(model.laws, rule.law, indexed_key("joints.between", i, "law"))};
+    Rule resolved{{geometry::kBase, geometry::kBase}, law(rule.law, indexed_key("joints.between", i, "law"))};
     for (std::size_t k = 0; k < 2; ++k) {
       if (rule.materials[k] == "base") continue;
-      resolved.materials[k] = find_material(model.materials, rule.materials[k], indexed_key("joints.between", i, "materials"));
+      faults.attempt([&] {
+        resolved.materials[k] = find_material(model.materials, rule.materials[k], indexed_key("joints.between", i, "materials"));
+      });
     }
     between_.push_back(resolved);
   }
-  default_ = find_law(model.laws, c.joints.default_law, "joints.default");
+  default_ = law(c.joints.default_law, "joints.default");
   inside_.assign(model.materials.size(), -1);
   for (const Block& block : model.blocks) {
     const auto m = static_cast<std::size_t>(block.material);
     if (block.unit < 0 || inside_[m] >= 0) continue;
     const NamedMaterial& material = model.materials[m];
     const std::string key = "materials." + material.name + ".inside";
-    if (!material.value.inside) throw InputError(key, "is missing: units in halves (house.halves, block.halves) need the law between them");
-    inside_[m] = find_law(model.laws, *material.value.inside, key);
+    inside_[m] = 0;
+    if (material.value.inside)
+      inside_[m] = law(*material.value.inside, key);
+    else
+      faults.add({key, "is missing: units in halves (house.halves, block.halves) need the law between them"});
   }
+  faults.raise();
 }
 
 std::int32_t JointRules::rule_material(const Block& block) const noexcept {

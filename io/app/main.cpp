@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <string>
 #include <vector>
 
 #include "cases/input_error.h"
@@ -44,6 +45,10 @@ int main(int argc, char** argv) {
     if (argc > 1) io::check_command_word(program, argv[1]);
     program.parse(argc, argv);
     return work(*std::ranges::find_if(commands, [&](const io::Command& c) { return program.got_subcommand(c.words); }));
+  } catch (const CLI::ExtrasError& e) {
+    program.exit(e);
+    io::suggest_option(program, {argv + 1, argv + argc});
+    return io::kInputFault;
   } catch (const CLI::ParseError& e) {
     return program.exit(e) == 0 ? io::kDone : io::kInputFault;
   } catch (const solver::NumericalError& e) {
@@ -53,7 +58,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "voussoir: %s\n", e.what());
     return io::kFileFault;
   } catch (const cases::InputError& e) {
-    std::fprintf(stderr, "voussoir: %s\n", e.what());
+    io::tell(e.what());
     return io::kInputFault;
   } catch (const std::exception& e) {
     return io::end_unexpectedly(e);

@@ -133,6 +133,23 @@ FloorPlan lay_beams(const House& house, std::size_t index, const HousePlan& plan
   return laid;
 }
 
+/// \return the floor, with the pockets of its beams in the walls
+FloorPlan plan_floor(const House& house, std::size_t i, HousePlan& plan) {
+  const Floor& floor = house.floors[i];
+  check_storey(house, i);
+  check_walls(house, i, plan);
+  FloorPlan laid = lay_beams(house, i, plan);
+  for (WallPlan& wall : plan.walls) {
+    if (wall.storey != floor.storey - 1) continue;
+    const std::optional<Interval> depth = pocket_depth(floor, i, wall, plan);
+    if (!depth) continue;
+    for (const std::vector<Interval>& room : laid.rooms) {
+      for (const Interval beam : room) add_pocket(house, {beam, laid.height, 0, false, *depth, static_cast<std::int32_t>(i)}, wall, plan);
+    }
+  }
+  return laid;
+}
+
 }  // namespace
 
 std::string floor_key(std::size_t floor, const char* field) { return indexed_key("house.floor", floor, field); }
@@ -144,19 +161,8 @@ BeamEnds ends_of(const Floor& floor) noexcept {
 void plan_floors(const House& house, HousePlan& plan) {
   plan.floors.clear();
   for (std::size_t i = 0; i < house.floors.size(); ++i) {
-    const Floor& floor = house.floors[i];
-    check_storey(house, i);
-    check_walls(house, i, plan);
-    FloorPlan laid = lay_beams(house, i, plan);
-    for (WallPlan& wall : plan.walls) {
-      if (wall.storey != floor.storey - 1) continue;
-      const std::optional<Interval> depth = pocket_depth(floor, i, wall, plan);
-      if (!depth) continue;
-      for (const std::vector<Interval>& room : laid.rooms) {
-        for (const Interval beam : room) add_pocket(house, {beam, laid.height, 0, false, *depth, static_cast<std::int32_t>(i)}, wall, plan);
-      }
-    }
-    plan.floors.push_back(std::move(laid));
+    FloorPlan& laid = plan.floors.emplace_back();
+    plan.faults.attempt([&] { laid = plan_floor(house, i, plan); });
   }
 }
 

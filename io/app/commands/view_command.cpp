@@ -16,6 +16,7 @@
 #include "io/app/session/exit_code.h"
 #include "io/app/session/likely_slips.h"
 #include "io/app/session/prepared_case.h"
+#include "io/app/session/process.h"
 #include "io/app/session/session.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/output_path.h"
@@ -137,7 +138,7 @@ int view_command(const LoadedCase& c, const ViewOptions& o, int threads) {
     write_still(text, o.view, output);
   }
   if (s.fault.empty()) return kDone;
-  std::fprintf(stderr, "voussoir: %s\n", s.fault.c_str());
+  tell(s.fault);
   return kInputFault;
 }
 

@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -109,6 +110,11 @@ void prepare_process() {
   rlimit memory{};
   // Each thread would set aside 64 MB of addresses to allocate from.
   if (getrlimit(RLIMIT_AS, &memory) == 0 && memory.rlim_cur != RLIM_INFINITY) mallopt(M_ARENA_MAX, 1);
+}
+
+void tell(const std::string& message) {
+  std::istringstream lines(message);
+  for (std::string line; std::getline(lines, line);) std::fprintf(stderr, "voussoir: %s\n", line.c_str());
 }
 
 int code_after_output(int code) {

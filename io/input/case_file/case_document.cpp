@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "cases/names.h"
 #include "io/input/case_file/case_paths.h"
 #include "io/input/case_file/catalogue.h"
 #include "io/input/document/case_values.h"
@@ -199,7 +200,7 @@ CaseText find_case(const std::string& name, const std::string& folder) {
 
   std::vector<std::string> names;
   for (const CatalogueEntry& e : entries) names.push_back(e.name);
-  const std::string near = fs::exists(file + ".toml", error) ? name + ".toml" : nearest(name, names);
+  const std::string near = fs::exists(file + ".toml", error) ? name + ".toml" : cases::nearest(name, names);
   const std::string problem = "case \"" + name + "\" is neither in the catalogue nor a file; " +
                               (near.empty() ? "" : "did you mean \"" + near + "\"? ") + "The catalogue: " + joined(names);
   throw CaseFileError(problem, "", problem, 0);

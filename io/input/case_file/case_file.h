@@ -7,11 +7,13 @@
 #include <vector>
 
 #include "cases/case.h"
+#include "io/input/document/case_tree.h"
 
 /// Reading of case files (TOML) to plain data, and writing. SI units, degrees.
 namespace voussoir::io {
 
-/// A fault found while reading a case. what() is the complete message: "house.toml:14: house.height = -1 m: must be > 0".
+/// What is at fault in a case, found while reading it. what() is the complete message, "house.toml:14: house.height = -1 m: must be > 0";
+/// several faults have a line each, in file order, and the other fields are those of the first.
 class CaseFileError : public cases::InputError {
  public:
   CaseFileError(std::string message, const std::string& key, const std::string& problem, int line)
@@ -34,6 +36,7 @@ struct CaseText {
 
 /// The place of a key of a case, and its value there.
 struct KeyPlace {
+  Source source;
   std::string where;      // "house.toml:14" or "--set house.height=7"
   std::string value;      // "7 m"; empty: the key is a table
   bool included = false;  // from an included case, or from a ready case under overrides
@@ -49,13 +52,14 @@ struct LoadedCase {
 
   /// The complete message of a fault found later: "house.toml:14: house.opening[1].width = 7 m is wider than the wall (5.4 m)". If the key
   /// itself is not given, file and line are those of the nearest enclosing table.
+  /// Several errors (cases::InputErrors) have a line each, in file order.
   [[nodiscard]] std::string describe(const cases::InputError& error) const;
 };
 
 /// Finds a case and reads it: a name without '/' and without ".toml" is first looked up in the catalogue, anything else is a path.
 /// Overrides are "a.b[0].c=value", as after --set: a TOML value, else a string; an empty value removes the key.
 /// \throw FileError if the file cannot be read or is larger than 16 MB.
-/// \throw CaseFileError for the first fault in the file (then in the overrides): syntax, unknown or missing key, type, range, rule of a
+/// \throw CaseFileError for all faults in the file (then in the overrides): syntax, unknown or missing key, type, range, rule of a
 /// table, or a name that is neither in the catalogue nor a file.
 LoadedCase load_case(const std::string& name_or_path, const std::vector<std::string>& overrides = {});
 

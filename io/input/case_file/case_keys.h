@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/names.h"
 #include "geometry/vec3.h"
 #include "io/input/document/case_values.h"
 
@@ -205,20 +206,22 @@ void read_table(const Table<S>& table, const Node& node, S& out, Reading& readin
   const Node::Table* entries = reading.table_of(node, path);
   if (entries == nullptr) return;
   const int before = reading.faults();
+  bool misspelt = false;
   for (const Entry& entry : *entries) {
     const auto key = std::find_if(table.keys.begin(), table.keys.end(), [&](const Key<S>& k) { return k.info.name == entry.name; });
     if (key == table.keys.end()) {
       reading.unknown_key(entry, path, table.names());
+      misspelt = true;
     } else if (!entry.node.removed()) {
       const std::string key_path = path_to(path, entry.name);
       reading.know(key_path, entry.node, key->info.unit);
       key->read(entry.node, out, reading, key_path);
     }
   }
-  // Only in a table without other faults: a misspelt key is a better message than the missing key that it causes.
   const RuleCheck check{node, reading, path};
   for (const Key<S>& key : table.keys) {
-    if (reading.faults() == before && key.info.required && !check.given(key.info.name)) reading.missing_key(node, path, key.info);
+    // A misspelt key is a better message than the missing key that it causes.
+    if (!misspelt && key.info.required && !check.given(key.info.name)) reading.missing_key(node, path, key.info);
   }
   if (table.rules && reading.faults() == before) table.rules(out, check);
 }
@@ -341,6 +344,13 @@ Key<S> auto_or_number(std::string name, std::optional<double> S::*get, std::stri
   return key;
 }
 
+template <class T>
+std::vector<std::string> names_of(const std::vector<std::pair<std::string, T>>& words) {
+  std::vector<std::string> names;
+  for (const auto& word : words) names.push_back(word.first);
+  return names;
+}
+
 /// A key with a choice of words, each with its value; words for a number are the number itself, without quotes.
 template <class S, class Get, class T>
 Key<S> choice(std::string name, Get get, std::string unit, std::vector<std::pair<std::string, T>> words, std::string sentence) {
@@ -355,7 +365,9 @@ Key<S> choice(std::string name, Get get, std::string unit, std::vector<std::pair
         return;
       }
     }
-    reading.bad_value(node, path, info, "must be " + info.shape);
+    const auto* given = node.as<std::string>();
+    const std::string meant = given == nullptr ? "" : cases::did_you_mean(*given, names_of(words));
+    reading.bad_value(node, path, info, "must be " + info.shape + (meant.empty() ? "" : "; " + meant.substr(0, meant.size() - 1)));
   };
   const auto text = [=](const S& s) -> std::string {
     for (const auto& [word, meaning] : words) {

@@ -8,12 +8,14 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <numeric>
+
+#include "cases/names.h"
 
 namespace voussoir::io {
 namespace {
 
 constexpr std::size_t kLongest = 80;
+constexpr int kMostFaults = 1000;  // no user reads more
 
 std::string cut(std::string text) {
   if (text.size() <= kLongest) return text;
@@ -68,21 +70,6 @@ bool is_number(const Node& node) {
   return node.as<double>() != nullptr || node.as<std::int64_t>() != nullptr || node.as<Node::Array>() != nullptr;
 }
 
-int edit_distance(std::string_view a, std::string_view b) {
-  std::vector<int> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0);
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    int diagonal = row[0];
-    row[0] = static_cast<int>(i);
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const int next = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
-      diagonal = row[j];
-      row[j] = next;
-    }
-  }
-  return row.back();
-}
-
 }  // namespace
 
 std::string Limits::usual_text() const {
@@ -125,8 +112,13 @@ std::string sentence_of(const std::string& key, const std::string& value, const 
 }
 
 void Reading::fault(Fault fault) {
-  ++count_;
-  if (!first_ || fault.source.before(first_->source)) first_ = std::move(fault);
+  if (count_++ < kMostFaults) all_.push_back(std::move(fault));
+}
+
+std::vector<Fault> Reading::all() const {
+  std::vector<Fault> sorted = all_;
+  std::ranges::stable_sort(sorted, [](const Fault& a, const Fault& b) { return a.source.before(b.source); });
+  return sorted;
 }
 
 void Reading::wrong_type(const Node& node, const std::string& path, const KeyInfo& info) {
@@ -142,14 +134,13 @@ void Reading::bad_value(const Node& node, const std::string& path, const KeyInfo
 }
 
 void Reading::unknown_key(const Entry& entry, const std::string& table_path, const std::vector<std::string>& allowed) {
-  if (first_ && !entry.node.source.before(first_->source)) {  // limits the number of searches for a file with many unknown keys
+  if (count_ >= kMostFaults) {  // limits the number of searches for a file with many unknown keys
     ++count_;
     return;
   }
-  const std::string near = nearest(entry.name, allowed);
   const std::string table = table_path.empty() ? "the case file" : "[" + table_path + "]";
   fault({entry.node.source, cut(path_to(table_path, entry.name)), "",
-         "unknown key; " + (near.empty() ? "" : "did you mean \"" + near + "\"? ") + "Keys of " + table + ": " + joined(allowed)});
+         "unknown key; " + cases::did_you_mean(entry.name, allowed) + "Keys of " + table + ": " + joined(allowed)});
 }
 
 void Reading::missing_key(const Node& table, const std::string& table_path, const KeyInfo& info) {
@@ -211,17 +202,6 @@ std::string short_text(const Node& node) { return cut(text_of(node)); }
 bool same_word(const Node& node, std::string_view toml) {
   if (const auto* v = node.as<double>()) return plain_number(*v) == toml;
   return text_of(node) == toml;
-}
-
-std::string nearest(std::string_view name, const std::vector<std::string>& names) {
-  std::string best;
-  int least = std::max(1, static_cast<int>(std::min(name.size(), kLongest)) / 2);
-  if (name.size() > kLongest) return best;
-  for (const std::string& candidate : names) {
-    const int distance = edit_distance(name, candidate);
-    if (distance < least || (distance == least && best.empty())) best = candidate, least = distance;
-  }
-  return best;
 }
 
 std::string joined(const std::vector<std::string>& names, std::string_view separator) {

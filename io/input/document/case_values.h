@@ -116,7 +116,7 @@ struct Fault {
 /// The text "key = value: problem", joined to a sentence.
 std::string sentence_of(const std::string& key, const std::string& value, const std::string& problem);
 
-/// The state of reading one document: places of keys, and the first fault in file order.
+/// The state of reading one document: places of keys, and faults.
 class Reading {
  public:
   struct Known {
@@ -138,14 +138,15 @@ class Reading {
   const Node::Array* array_of(const Node& node, const std::string& path);
 
   [[nodiscard]] int faults() const noexcept { return count_; }
-  [[nodiscard]] const std::optional<Fault>& first() const noexcept { return first_; }
+  /// The faults in file order, the first thousand that were found.
+  [[nodiscard]] std::vector<Fault> all() const;
   /// In the order of reading.
   [[nodiscard]] const std::vector<Fault>& doubts() const noexcept { return doubts_; }
   [[nodiscard]] const std::map<std::string, Known>& known() const noexcept { return known_; }
 
  private:
   std::map<std::string, Known> known_;
-  std::optional<Fault> first_;
+  std::vector<Fault> all_;
   std::vector<Fault> doubts_;
   int count_ = 0;
 };
@@ -160,8 +161,6 @@ std::string toml_key(std::string_view name);
 std::string short_text(const Node& node);
 /// Whether a node has the value of a TOML text; 90.0 equals 90.
 bool same_word(const Node& node, std::string_view toml);
-/// The name most similar to a misspelt one, or empty if none is similar.
-std::string nearest(std::string_view name, const std::vector<std::string>& names);
 /// "a, b, c"
 std::string joined(const std::vector<std::string>& names, std::string_view separator = ", ");
 /// "table.name"

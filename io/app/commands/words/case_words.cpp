@@ -89,7 +89,7 @@ int with_case(const CaseWords& w, const std::function<int(const LoadedCase&)>& u
     }
     return use(c);
   } catch (const cases::InputError& e) {
-    std::fprintf(stderr, "voussoir: %s\n", c.describe(e).c_str());
+    tell(c.describe(e));
     return kInputFault;
   } catch (const NamedFileError& e) {
     std::fprintf(stderr, "voussoir: %s\n", c.describe({e.key(), std::string("cannot be used: ") + e.what()}).c_str());

@@ -4,10 +4,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <vector>
 
 #include "cases/input_error.h"
-#include "io/input/document/case_values.h"
+#include "cases/names.h"
 
 namespace voussoir::io {
 
@@ -20,9 +21,25 @@ void check_command_word(const CLI::App& app, const std::string& word) {
     all += (all.empty() ? "" : ", ") + names.back();
   }
   if (std::ranges::find(names, word) != names.end()) return;
-  const std::string near = nearest(word, names);
+  const std::string near = cases::nearest(word, names);
   throw cases::InputError("",
                           "\"" + word + "\" is no command" + (near.empty() ? "" : "; is \"" + near + "\" meant?") + "; allowed: " + all);
+}
+
+void suggest_option(const CLI::App& program, const std::vector<std::string>& words) {
+  const auto all = program.get_subcommands();
+  const CLI::App& app = all.empty() ? program : *all.front();
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  for (const std::string& word : words) {
+    const std::string name = word.substr(0, word.find('='));
+    if (!name.starts_with("--") || std::ranges::find(names, name) != names.end()) continue;
+    if (const std::string near = cases::nearest(name, names); !near.empty())
+      std::fprintf(stderr, "%s: did you mean %s?\n", name.c_str(), near.c_str());
+    return;
+  }
 }
 
 }  // namespace voussoir::io

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -12,5 +13,8 @@ namespace voussoir::io {
 
 /// Refuses a first word that is neither a command nor an option, and suggests the most similar command. \throw cases::InputError
 void check_command_word(const CLI::App& app, const std::string& word);
+
+/// For the first option among the words that the command does not know, prints the most similar one that it has.
+void suggest_option(const CLI::App& program, const std::vector<std::string>& words);
 
 }  // namespace voussoir::io

@@ -115,6 +115,9 @@ std::string out_of_range(const std::string& allowed) {
   return all + "]";
 }
 
+/// Whether a line of a message begins so; keys that the table lacks have lines of their own.
+bool has_line(const std::string& message, const std::string& begin) { return ("\n" + message).find("\n" + begin) != std::string::npos; }
+
 }  // namespace
 
 TEST_CASE("faults: every key of a building says what is wrong with it") {
@@ -130,7 +133,7 @@ TEST_CASE("faults: every key of a building says what is wrong with it") {
       CAPTURE(at);
       CAPTURE(value);
       CAPTURE(got);
-      CHECK(got.starts_with(at));
+      CHECK(has_line(got, at));
       CHECK(has(got, says));
     };
     const std::string wrong = of_another_type(key.allowed);
@@ -138,7 +141,7 @@ TEST_CASE("faults: every key of a building says what is wrong with it") {
     if (const std::string beyond = out_of_range(key.allowed); !beyond.empty()) check(beyond, "must "), ++ranges;
     const std::string got = refusal(header + key.name + "x = 1\n");
     CAPTURE(got);
-    CHECK(got.starts_with(at + "x"));
+    CHECK(has_line(got, at + "x"));
     CHECK(has(got, key.name));
   }
   CHECK(keys.size() > 150);
