@@ -24,4 +24,18 @@ std::array<MainMode, 2> main_modes(const cases::Case& c, const cases::Model& mod
   return found;
 }
 
+std::array<MainMode, 2> main_modes_of_all(const cases::Case& c, const cases::Model& model, DryJoints dry) {
+  cases::Case undamped = c;
+  undamped.damping = {};
+  const auto world = build_world(undamped, model, {});
+  std::array<MainMode, 2> found;
+  for (int axis = 0; axis < 2; ++axis) {
+    const std::vector<Mode> modes = modes_along(*world, axis, 1, dry);
+    if (modes.empty()) continue;
+    const double share = axis == 0 ? modes.front().mass_share.x : modes.front().mass_share.y;
+    if (share >= kLeastMassShare) found[static_cast<std::size_t>(axis)] = {0, modes.front().frequency, share};
+  }
+  return found;
+}
+
 }  // namespace voussoir::solver

@@ -5,6 +5,7 @@
 #include <Spectra/SymEigsShiftSolver.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -62,6 +63,16 @@ class Structure {
     Sparse k(size(), size());
     k.setFromTriplets(entries.begin(), entries.end());
     return k;
+  }
+
+  /// M^(1/2) times a unit motion of the whole along an axis; its square is the mass that moves.
+  [[nodiscard]] Eigen::VectorXd motion_along(int axis) const {
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(size());
+    for (std::size_t n = 0; n < scale_.size(); ++n) {
+      const double scale = scale_[n](axis, axis);
+      if (scale > 0.0) b(static_cast<Eigen::Index>(6 * n) + axis) = 1.0 / scale;
+    }
+    return b;
   }
 
   [[nodiscard]] Mode mode(double omega_squared, const Eigen::VectorXd& q) const {
@@ -174,16 +185,92 @@ class ShiftInverse {
   Eigen::SimplicialLDLT<Sparse, Eigen::Lower> factor_;
 };
 
+// Below zero, so that bodies which nothing holds do not make the matrix singular; small against the square of a building's frequency.
+const double kShift = -std::pow(2.0 * std::numbers::pi * 0.1, 2);
+
+/// Lanczos iteration with full orthogonalisation.
+class Krylov {
+ public:
+  Krylov(const ShiftInverse& inverse, Eigen::VectorXd start) : inverse_(inverse) { basis_.push_back(start.normalized()); }
+
+  /// \return false at the end: the space is exhausted
+  bool extend() {
+    Eigen::VectorXd next(inverse_.rows());
+    inverse_.perform_op(basis_.back().data(), next.data());
+    diagonal_.push_back(next.dot(basis_.back()));
+    for (int twice = 0; twice < 2; ++twice) {
+      for (const Eigen::VectorXd& v : basis_) next -= next.dot(v) * v;
+    }
+    beside_.push_back(next.norm());
+    if (!(beside_.back() > 1e-14 * std::abs(diagonal_.front()))) return false;
+    basis_.push_back(next / beside_.back());
+    return true;
+  }
+
+  struct Ritz {
+    Eigen::VectorXd values, shares, errors;  // of the inverse; share of the start in each vector; bound of the relative error
+    Eigen::MatrixXd vectors;                 // in the basis
+  };
+  [[nodiscard]] Ritz ritz() const {
+    const auto n = static_cast<Eigen::Index>(diagonal_.size());
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+    const Eigen::Map<const Eigen::VectorXd> diagonal(diagonal_.data(), n);
+    solver.computeFromTridiagonal(diagonal, Eigen::Map<const Eigen::VectorXd>(beside_.data(), n - 1));
+    Ritz r{solver.eigenvalues(), solver.eigenvectors().row(0).cwiseAbs2().transpose(), {}, solver.eigenvectors()};
+    r.errors = (beside_.back() * r.vectors.row(n - 1).transpose()).cwiseAbs().cwiseQuotient(r.values.cwiseAbs());
+    return r;
+  }
+  [[nodiscard]] Eigen::VectorXd vector(const Eigen::VectorXd& in_basis) const {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(basis_.front().size());
+    for (Eigen::Index i = 0; i < in_basis.size(); ++i) sum += in_basis(i) * basis_[static_cast<std::size_t>(i)];
+    return sum;
+  }
+
+ private:
+  const ShiftInverse& inverse_;
+  std::vector<Eigen::VectorXd> basis_;
+  std::vector<double> diagonal_, beside_;
+};
+
 }  // namespace
+
+std::vector<Mode> modes_along(const World& w, int axis, int count, DryJoints dry) {
+  constexpr int kLeast = 20, kMost = 400, kEvery = 20;  // steps; steps between two looks at what has converged
+  constexpr double kExact = 1e-8;
+  constexpr double kMechanism = 1e-3;  // Hz
+  const Structure structure(w, dry);
+  if (structure.size() < 2) return {};
+  ShiftInverse inverse(structure.stiffness());
+  inverse.set_shift(kShift);
+  Krylov krylov(inverse, structure.motion_along(axis));
+  std::vector<Mode> found;
+  for (int step = 1; step <= kMost; ++step) {
+    const bool more = krylov.extend();
+    if (more && (step < kLeast || step % kEvery != 0) && step < kMost) continue;
+    const Krylov::Ritz r = krylov.ritz();
+    std::vector<Eigen::Index> order;
+    for (Eigen::Index i = 0; i < r.values.size(); ++i) {
+      const double omega_squared = kShift + 1.0 / r.values(i);
+      if (r.values(i) > 0.0 && omega_squared > std::pow(2.0 * std::numbers::pi * kMechanism, 2)) order.push_back(i);
+    }
+    std::ranges::stable_sort(order, [&](Eigen::Index a, Eigen::Index b) { return r.shares(a) > r.shares(b); });
+    order.resize(std::min(order.size(), static_cast<std::size_t>(count)));
+    const bool converged = std::ranges::all_of(order, [&](Eigen::Index i) { return r.errors(i) < kExact; });
+    if (!converged && more && step < kMost) continue;
+    for (const Eigen::Index i : order) {
+      if (r.errors(i) < kExact) found.push_back(structure.mode(kShift + 1.0 / r.values(i), krylov.vector(r.vectors.col(i))));
+    }
+    break;
+  }
+  return found;
+}
 
 std::vector<Mode> natural_modes(const World& w, int count, DryJoints dry) {
   const Structure structure(w, dry);
   const auto wanted = std::min<Eigen::Index>(count, structure.size() - 1);
   if (wanted < 1) return {};
   ShiftInverse inverse(structure.stiffness());
-  // Below zero, so that bodies which nothing holds do not make the matrix singular; small against the square of a building's frequency.
-  const double shift = -std::pow(2.0 * std::numbers::pi * 0.1, 2);
-  Spectra::SymEigsShiftSolver<ShiftInverse> solver(inverse, wanted, std::min(2 * wanted + 20, structure.size()), shift);
+  Spectra::SymEigsShiftSolver<ShiftInverse> solver(inverse, wanted, std::min(2 * wanted + 20, structure.size()), kShift);
   solver.init();
   const auto found = solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-12, Spectra::SortRule::SmallestAlge);
   if (solver.info() != Spectra::CompInfo::Successful)

@@ -26,4 +26,9 @@ enum class DryJoints : std::uint8_t { open, closed };
 /// freedom. \pre count > 0 \throw NumericalError if the iteration does not converge
 std::vector<Mode> natural_modes(const World& w, int count, DryJoints dry = DryJoints::open);
 
+/// The modes that take part in a motion of the whole along an axis (0: x, 1: y, 2: z), those with the largest shares of the mass first,
+/// however many local modes lie below them: Lanczos iteration from the inertia forces of that motion, in which a mode weighs as much as its
+/// share of the mass. Mechanisms are left out. \return at most `count` modes, those that converged
+std::vector<Mode> modes_along(const World& w, int axis, int count, DryJoints dry = DryJoints::open);
+
 }  // namespace voussoir::solver

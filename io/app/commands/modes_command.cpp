@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "cases/case.h"
 #include "cases/model.h"
@@ -48,6 +49,40 @@ const solver::Mode& dominant(const std::vector<solver::Mode>& modes, int axis) {
   return *std::max_element(modes.begin(), modes.end(), [&](const auto& a, const auto& b) { return share(a, axis) < share(b, axis); });
 }
 
+constexpr double kMechanism = 1e-3;  // Hz
+
+/// The element that a mode moves most.
+std::size_t most_moved_by(const solver::Mode& mode) {
+  const auto& u = mode.displacement;
+  return static_cast<std::size_t>(std::max_element(u.begin(), u.end(), [](Vec3 a, Vec3 b) { return dot(a, a) < dot(b, b); }) - u.begin());
+}
+
+/// Names what nothing holds: mechanisms, which have no frequency.
+void print_free_bodies(const cases::Model& model, const std::vector<solver::Mode>& modes) {
+  std::vector<std::string> names;
+  for (const solver::Mode& mode : modes) {
+    if (mode.frequency >= kMechanism) continue;
+    const std::size_t e = most_moved_by(mode);
+    std::string name = cases::describe(model.blocks[e], e);
+    if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
+  }
+  if (names.empty()) return;
+  std::printf("0 Hz: held by no bond: %s", names.front().c_str());
+  for (std::size_t i = 1; i < names.size(); ++i) std::printf(", %s", names[i].c_str());
+  std::printf("; --closed holds such joints as their weight does\n");
+}
+
+/// The modes in which the building takes part, if the lowest ones above are local.
+void print_main_modes(const solver::World& world, const std::vector<solver::Mode>& modes, solver::DryJoints dry) {
+  for (const int axis : {0, 1}) {
+    const std::vector<solver::Mode> main = solver::modes_along(world, axis, 1, dry);
+    if (main.empty() || share(main.front(), axis) <= share(dominant(modes, axis), axis) * 1.001) continue;
+    const Vec3 s = main.front().mass_share;
+    std::printf("%6s %16.3f %10.1f %9.1f %9.1f   the building along %s, above local modes\n", "", main.front().frequency, 100.0 * s.x,
+                100.0 * s.y, 100.0 * s.z, nth(kAxes, axis));
+  }
+}
+
 void print_modes(const std::vector<solver::Mode>& modes, bool closed) {
   std::printf("eigenvalues of the assembled stiffness%s\n%6s %16s %31s\n%6s %16s %10s %9s %9s\n",
               closed ? ", joints without a bond held as if bonded" : "", "", "", "effective mass [%]", "mode", "frequency [Hz]", "x", "y",
@@ -62,9 +97,7 @@ void print_modes(const std::vector<solver::Mode>& modes, bool closed) {
 std::vector<cases::HistoryPoint> most_moved(const cases::Model& model, const std::vector<solver::Mode>& modes) {
   std::vector<cases::HistoryPoint> points;
   for (int axis = 0; axis < 2; ++axis) {
-    const std::vector<Vec3>& u = dominant(modes, axis).displacement;
-    const auto most = std::max_element(u.begin(), u.end(), [](Vec3 a, Vec3 b) { return dot(a, a) < dot(b, b); }) - u.begin();
-    const auto element = static_cast<std::size_t>(most);
+    const std::size_t element = most_moved_by(dominant(modes, axis));
     points.push_back({"element " + std::to_string(element), model.assembly.elements[element].mass.centroid});
   }
   return points;
@@ -108,11 +141,14 @@ int modes(const LoadedCase& loaded, const ModesOptions& o, int threads) {
   check_output(shapes);
   cases::Case c = loaded.value;
   const cases::Model model = prepared_model(c, threads);
-  const std::vector<solver::Mode> modes =
-      solver::natural_modes(*solver::build_world(c, model, {}), o.count, o.closed ? solver::DryJoints::closed : solver::DryJoints::open);
+  const solver::DryJoints dry = o.closed ? solver::DryJoints::closed : solver::DryJoints::open;
+  const auto world = solver::build_world(c, model, {});
+  const std::vector<solver::Mode> modes = solver::natural_modes(*world, o.count, dry);
   if (modes.empty()) throw cases::InputError("", "has nothing that moves");
   std::printf("%s\n\n", c.title.c_str());
   print_modes(modes, o.closed);
+  print_main_modes(*world, modes, dry);
+  print_free_bodies(model, modes);
   if (!o.shapes.empty()) write_output(shapes, mode_shapes_vtu(model, modes));
   std::fflush(stdout);
   if (o.no_impulse) return kDone;

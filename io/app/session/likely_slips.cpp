@@ -45,13 +45,14 @@ void look_at_frequency(const cases::Case& c, const cases::Model& model, std::vec
   try {
     modes = solver::main_modes(c, model);
     if (modes[0].number == 0 && modes[1].number == 0) modes = solver::main_modes(c, model, solver::DryJoints::closed);
+    if (modes[0].number == 0 && modes[1].number == 0) modes = solver::main_modes_of_all(c, model, solver::DryJoints::closed);
   } catch (const solver::NumericalError&) {
     return;  // no motion to compare with
   }
   std::string own;
   for (const std::size_t axis : {1U, 0U}) {
     const solver::MainMode& m = modes[axis];
-    if (m.number == 0) continue;
+    if (m.frequency == 0.0) continue;
     if (std::abs(*c.damping.frequency - m.frequency) <= kOff * m.frequency) return;
     own += (own.empty() ? "" : ", ") + mode_words(m, axis);
   }
@@ -157,7 +158,8 @@ std::string four_digits(double v) {
 /// A mode in words: "8.015 Hz (mode 1, 75.1 % of the mass in y)".
 std::string mode_words(const solver::MainMode& m, std::size_t axis) {
   std::array<char, 80> text{};
-  std::snprintf(text.data(), text.size(), "%s Hz (mode %d, %.1f %% of the mass in %s)", four_digits(m.frequency).c_str(), m.number,
+  const std::string number = m.number == 0 ? "a mode above many local ones" : "mode " + std::to_string(m.number);
+  std::snprintf(text.data(), text.size(), "%s Hz (%s, %.1f %% of the mass in %s)", four_digits(m.frequency).c_str(), number.c_str(),
                 100.0 * m.mass_share, kAxes[axis]);
   return text.data();
 }

@@ -26,14 +26,24 @@ cases::Model prepared_model(const cases::Case& c, int threads) {
 void fill_own_frequency(cases::Case& c, int threads) {
   if (!c.damping.own_frequency || c.damping.frequency) return;
   const cases::Model model = prepared_model(c, threads);
-  solver::MainMode mode = solver::main_modes(c, model)[1];
-  // Beams held on walls by friction only have six modes of zero frequency each; in that case their joints count as held by weight.
-  const bool held = mode.number == 0;
-  if (held) mode = solver::main_modes(c, model, solver::DryJoints::closed)[1];
-  if (mode.number == 0)
-    throw cases::InputError("damping.frequency", "is \"auto\", but none of the " + std::to_string(solver::kMainModesOf) +
-                                                     " lowest modes moves a tenth of the mass along y (voussoir modes lists them once a "
-                                                     "number stands here); give a number of Hz");
+  using solver::DryJoints;
+  // Beams held on walls by friction only have six modes of zero frequency each; in that case their joints count as held by weight. Many
+  // rafters have modes of their own below those of the building.
+  struct Way {
+    DryJoints dry;
+    bool all;
+  };
+  solver::MainMode mode;
+  bool held = false;
+  for (const Way way : {Way{DryJoints::open, false}, {DryJoints::closed, false}, {DryJoints::closed, true}, {DryJoints::open, true}}) {
+    if (mode.frequency > 0.0) break;
+    mode = (way.all ? solver::main_modes_of_all(c, model, way.dry) : solver::main_modes(c, model, way.dry))[1];
+    held = way.dry == DryJoints::closed;
+  }
+  if (mode.frequency == 0.0)
+    throw cases::InputError("damping.frequency",
+                            "is \"auto\", but no mode moves a tenth of the mass along y (voussoir modes lists them once a number stands "
+                            "here); give a number of Hz");
   c.damping.frequency = std::strtod(four_digits(mode.frequency).c_str(), nullptr);
   std::fprintf(stderr, "voussoir: damping.frequency = \"auto\": %s%s\n", mode_words(mode, 1).c_str(),
                held ? ", with joints without a bond held as if bonded" : "");

@@ -4,9 +4,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "cases/model.h"
 #include "solver/analysis/impulse.h"
@@ -139,4 +142,46 @@ TEST_CASE("samples of the impulse are a hundredth of a second apart whatever ste
     apart = std::max(apart, std::abs(usual[i] - given[i]));
   }
   CHECK(apart < 0.1 * largest);
+}
+
+TEST_CASE("modes along an axis: that of the building is found however many local ones lie below it") {
+  constexpr int n = 4;
+  cases::Case c = column(n);
+  const std::vector<solver::Mode> alone = modes_of(c, 6 * n - 1);
+  const auto in_y = [](const solver::Mode& m) { return m.mass_share.y; };
+  const double expected = std::ranges::max_element(alone, {}, in_y)->frequency;
+  // Eight light, soft posts beside it: three lowest modes each along x and along y, none with a tenth of the mass.
+  c.materials["soft"] = {200.0, 1.0e6, 0.25};
+  for (int post = 0; post < 8; ++post) {
+    for (int i = 0; i < 6; ++i) {
+      const double x = 1.0 + 0.5 * post, z = 0.05 * i;
+      cases::BlockSpec block;
+      block.name = "post " + std::to_string(post) + "." + std::to_string(i), block.material = "soft";
+      block.box = {Vec3{x, 0.0, z}, Vec3{x + 0.05, 0.05, z + 0.05}};
+      c.blocks.push_back(block);
+    }
+  }
+  for (const solver::Mode& m : modes_of(c, 12)) CHECK(m.mass_share.y < 0.1);
+  const cases::Model model = cases::build_model(c);
+  const std::vector<solver::Mode> found = solver::modes_along(*solver::build_world(c, model, {}), 1, 1);
+  REQUIRE(found.size() == 1);
+  CHECK(found.front().frequency == doctest::Approx(expected).epsilon(1e-7));
+  CHECK(found.front().mass_share.y > 0.5);
+}
+
+TEST_CASE("modes along an axis have the shares and frequencies of the eigenvalues, and leave mechanisms out") {
+  constexpr int n = 5;
+  cases::Case c = column(n);
+  std::vector<solver::Mode> all = modes_of(c, 6 * n - 1);
+  std::ranges::sort(all, std::greater{}, [](const solver::Mode& m) { return m.mass_share.z; });
+  const cases::Model model = cases::build_model(c);
+  const std::vector<solver::Mode> found = solver::modes_along(*solver::build_world(c, model, {}), 2, 3);
+  REQUIRE(found.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(found[i].frequency == doctest::Approx(all[i].frequency).epsilon(1e-7));
+    CHECK(found[i].mass_share.z == doctest::Approx(all[i].mass_share.z).epsilon(1e-6));
+  }
+  c.joints.default_law = "dry";  // nothing holds the cubes
+  const cases::Model loose = cases::build_model(c);
+  CHECK(solver::modes_along(*solver::build_world(c, loose, {}), 2, 3).empty());
 }
