@@ -38,7 +38,13 @@ int main(int argc, char** argv) {
   CLI::App program{"Voussoir: how masonry buildings crack, fail and collapse in earthquakes"};
   program.set_version_flag("--version", "voussoir " + io::program_version());
   program.require_subcommand(1);
-  program.footer("example: voussoir run flat20n --direction LTV --duration 6");
+  program.footer(
+      "in the order of work: describe (new, cases, keys), look (view, check), without a run (modes, limit, motion), run, read (summary,\n"
+      "assess, report, compare), many runs (study)\n"
+      "to begin: voussoir new house my-house.toml; voussoir check my-house.toml; voussoir run my-house.toml -o results/my-house\n"
+      "documents: cases/tutorial (ten minutes), README.md, io/QUESTIONS.md (each question with its command); installed: below\n"
+      "/usr/share/doc/voussoir\n"
+      "example: voussoir run flat20n --direction LTV --duration 6");
   std::vector<io::Command> commands;
   for (const io::AddCommand add : io::all_commands()) commands.push_back(add(program));
   try {

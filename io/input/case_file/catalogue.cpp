@@ -18,7 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kParts = "parts/";  // folder of texts that are only included, and are no cases
+/// Whether a built-in text is a ready case, and not a part that cases include or a text to begin with: those are in folders.
+bool is_case(const BuiltInCase& c) { return c.name.find('/') == std::string_view::npos; }
 
 std::string title_of(const std::string& text) {
   try {
@@ -56,7 +57,7 @@ void add_folder(const std::string& folder, std::map<std::string, CatalogueEntry>
 std::vector<CatalogueEntry> catalogue() {
   std::map<std::string, CatalogueEntry> entries;
   for (const BuiltInCase& c : built_in_cases()) {
-    if (!c.name.starts_with(kParts)) entries[std::string(c.name)] = built_in_entry(c);
+    if (is_case(c)) entries[std::string(c.name)] = built_in_entry(c);
   }
   if (const char* folder = std::getenv("VOUSSOIR_CATALOGUE"); folder != nullptr && *folder != '\0') add_folder(folder, entries);
 
