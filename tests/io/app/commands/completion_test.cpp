@@ -21,7 +21,7 @@ std::string offered(const std::string& words) {
 
 TEST_CASE("completion: commands, options and cases, as the program itself says them") {
   CHECK(offered("re") == "resume report");
-  CHECK(offered("''").starts_with("run resume "));
+  CHECK(offered("''").starts_with("new cases "));
   CHECK(offered("run --check") == "--checkpoint-every --checkpoint-simulated");
   CHECK(offered("check hut.toml --dr") == "--draw");
   CHECK(offered("run flat20n --kernels r") == "reference");

@@ -100,7 +100,7 @@ TEST_CASE("--overwrite removes what runs write, not a copy of a checkpoint; a ta
 
 TEST_CASE("words that mean nothing are refused with what is allowed; lost output is an error") {
   const Pillar pillar;
-  refused(voussoir("runn x.toml"), 2, "\"runn\" is no command; is \"run\" meant?; allowed: run, resume");
+  refused(voussoir("runn x.toml"), 2, "\"runn\" is no command; is \"run\" meant?; allowed: new, cases");
   refused(pillar.run("nan", "--checkpoint-every nan"), 2, "--checkpoint-every");
   REQUIRE(pillar.run("done").code == 0);
   refused(voussoir("assess " + pillar.results("done") + " --time 99"), 2, "--time: = 99 s; allowed: from 0 to 0.05");
