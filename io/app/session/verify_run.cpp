@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/app/commands/verify_command.h"
+#include "io/app/session/verify_run.h"
 
 #include <algorithm>
 #include <chrono>
@@ -27,7 +27,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kSeconds = 12.0;           // wall-clock time of each of the three runs, before anything breaks
 constexpr std::int64_t kTrial = 20;         // timed steps
-constexpr std::int64_t kMostSteps = 20000;  // steps
+constexpr std::int64_t kMostTried = 20000;  // steps
 constexpr std::int64_t kLedgerSteps = 10;
 
 /// Data common to all runs of a verification.
@@ -80,7 +80,7 @@ std::int64_t choose_steps(const Setting& s) {
   const auto start = Clock::now();
   for (std::int64_t i = 0; i < kTrial; ++i) sim.step({});
   const double each = std::chrono::duration<double>(Clock::now() - start).count() / static_cast<double>(kTrial);
-  return 2 * (std::clamp(static_cast<std::int64_t>(kSeconds / (each + 1e-9)), 10 * kTrial, kMostSteps) / 2);
+  return 2 * (std::clamp(static_cast<std::int64_t>(kSeconds / (each + 1e-9)), 10 * kTrial, kMostTried) / 2);
 }
 
 /// Prints and returns whether two states are equal.
