@@ -165,7 +165,8 @@ class Frame:
 
     @property
     def displacement(self) -> Array:
-        return Array(displacement_of(self._results._checked, self.row), "m", "displacement", "centroids of all elements from position0")
+        with self._reading():
+            return Array(displacement_of(self._results._checked, self.row), "m", "displacement", "centroids of all elements from position0")
 
     @property
     def position(self) -> Array:
@@ -184,6 +185,10 @@ class Frame:
 
     def vertices(self) -> NDArray[Any]:
         """Current positions of the vertices of all elements: v x 3, m, in the rows of /model/vertex and the axes of the case file."""
+        with self._reading():
+            return self._placed()
+
+    def _placed(self) -> NDArray[Any]:
         model = self._results._checked["model"]
         first = rows_of(model["element/first_vertex"])
         corners, start = rows_of(model["vertex"]), rows_of(model["element/position0"])
@@ -282,7 +287,8 @@ class Results:
     @property
     def origin(self) -> NDArray[Any]:
         """m, in the axes of the case file: what coordinates in the file itself are relative to. What has a name here has it added."""
-        return origin_of(self._checked)
+        with reading(f"{self._path}, origin"):
+            return origin_of(self._checked)
 
     def refresh(self) -> None:
         """Makes rows available that an unfinished run has written since."""
