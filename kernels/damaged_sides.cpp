@@ -172,7 +172,7 @@ VOUSSOIR_INLINE SumLanes global_sums(const FrameLanes& f, const SumRows* rows, d
   return {f.global(x[0]), f.global(x[1]), f.global(x[2])};
 }
 
-/// Notes the forces of the chosen lanes, whose points touch, as those of contacts (22a).
+/// Adds the sizes of the forces of those sides on which points touch to their elements' sums (22a).
 VOUSSOIR_INLINE void note_pushes(const SideBlock& s, int at, VecLanes force, unsigned touching, const Rows& rows) noexcept {
   for (int l = 0; l < kWidth; ++l) {
     if (!(touching >> l & 1U)) continue;

@@ -22,7 +22,8 @@ VOUSSOIR_INLINE void prefetch_columns(const ElementRows& rows, std::int64_t i, C
   if (rows.out_of_cache) (prefetch(columns + i + kPrefetchDistance, kWidth * sizeof(double)), ...);
 }
 
-/// Relative error of a sum of contact forces, each from a depth that is the small difference of two places [-].
+/// Of the sum of the sizes of contact forces: a component of their sum below it may be round-off (22a). Each force comes from a depth, the
+/// small difference of two places, so its own relative error is up to some 1e-9.
 constexpr double kRoundOff = 1e-8;
 
 struct QuaternionLanes {
@@ -220,13 +221,14 @@ struct Pushes {
   bool damps_rotation;
 };
 
+/// Components that are smaller than `least` become zero.
 VOUSSOIR_INLINE VecLanes above(VecLanes v, Lanes least) noexcept {
   return {select(max(v.x, -v.x) < least, Lanes{}, v.x), select(max(v.y, -v.y) < least, Lanes{}, v.y),
           select(max(v.z, -v.z) < least, Lanes{}, v.z)};
 }
 
-/// (22a): components of force and torque that the sums of contact forces cannot tell from nothing are nothing. \param pushed  sum of the
-/// sizes of the contact forces [N]; 0: no contact, nothing changes
+/// Sets components of force and torque to zero that may be round-off of the contact forces (22a). \param pushed  sum of the sizes of the
+/// contact forces [N]; 0: no contact, nothing changes
 VOUSSOIR_INLINE void drop_round_off(const ElementsView& e, std::int64_t i, Lanes pushed, Lanes inv_mass, VecLanes& force,
                                     VecLanes& torque) noexcept {
   const Lanes least = kRoundOff * pushed;

@@ -18,7 +18,7 @@ inline constexpr int kLanes = 8;
 inline constexpr int kPoseStride = 12;    // for each axis i: row i of R − I (3), u_i [m]
 inline constexpr int kTwistStride = 8;    // velocity (3) [m/s], angular velocity in space (3) [rad/s], 2 spare
 inline constexpr int kWrenchStride = 8;   // force (3) [N], torque about the centroid (3) [N m], kPushedColumn, kDashedColumn
-inline constexpr int kPushedColumn = 6;   // column of a wrench row: sum of the sizes of the forces of free contacts in it [N] (22a)
+inline constexpr int kPushedColumn = 6;   // column of a wrench row: sum of the sizes of the contact forces in it [N] (22a)
 inline constexpr int kDashedColumn = 7;   // column of a wrench row: not 0 if dashpots contribute to it; if 0, the dashpot row is all zeros
 inline constexpr int kDashpotStride = 8;  // dashpots' share of the wrench: force (3) [N], torque (3) [N m], 2 spare
 
@@ -78,7 +78,7 @@ inline void add_dashpot(double* wrench, double* dashpot, std::int64_t e, Vec3 f,
   r[0] += f.x, r[1] += f.y, r[2] += f.z;
   r[3] += t.x, r[4] += t.y, r[5] += t.z;
 }
-/// Notes a force of a free contact, which a wrench row has got, in the sum of their sizes.
+/// Adds the size of a contact force, which the wrench row holds already, to the row's sum of sizes (22a).
 inline void note_push(double* wrench, std::int64_t e, Vec3 f) noexcept {
   wrench[e * kWrenchStride + kPushedColumn] += std::abs(f.x) + std::abs(f.y) + std::abs(f.z);
 }

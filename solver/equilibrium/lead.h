@@ -24,8 +24,9 @@ class Lead {
   /// What the prediction leaves open of the motion, in the norm of the fictitious masses, 0 to 1, as it was at the last point.
   [[nodiscard]] double open() const noexcept { return state_.open; }
 
-  /// In the iteration ahead the moving end goes on by `way`.
+  /// Begins an iteration in which the moving end moves on by `way` [m].
   void step(double way) noexcept { before_ = ahead_, ahead_ = state_.share * way; }
+  /// Whether a motion is predicted in the last iteration or in this one.
   [[nodiscard]] bool leads() const noexcept { return before_ != 0.0 || ahead_ != 0.0; }
   /// Way that counts for the predicted motion, in the iteration behind and ahead.
   [[nodiscard]] double before() const noexcept { return before_; }

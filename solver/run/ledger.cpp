@@ -89,10 +89,10 @@ double Ledger::kinetic(const World& w) const {
   const Elements& e = w.elements;
   double sum = 0.0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
-    // Of the first row velocities before are of half a step earlier, those after of half the element's own step later (24a): they are
-    // continued back to as much before.
+    // At the first row the old velocities are those of half a step before it, the new ones those of half the element's own step behind it
+    // (24a). So the old ones are extrapolated to half the element's own step before the row.
     const int level = w.batch_level(i / kernels::kBatch);
-    const double back = fresh_ ? w.multirate.steps_of(level) / w.multirate.impulse_steps(level, 0) - 1.0 : 0.0;
+    const double back = fresh_ ? 1.0 / w.multirate.impulse_share(level, 0) - 1.0 : 0.0;
     const Vec3 v = at(e.vx, e.vy, e.vz, i), spin = at(e.wx, e.wy, e.wz, i), l = at(e.lx, e.ly, e.lz, i);
     const Vec3 v0 = at(v_, i), spin0 = at(w_, i), l0 = at(l_, i);
     sum += 0.5 * e.inert_mass()[i] * dot(v0 - back * (v - v0), v) +

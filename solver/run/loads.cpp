@@ -42,7 +42,7 @@ void apply_loads(World& w, Ledger& ledger, std::vector<Vec3>& before, std::int64
     const Wrench now = wrench_of(w, l, whole, l.grows ? factor : ramp_share(t, l.ramp_begin, l.ramp_end));
     const int level = w.batch_level(static_cast<std::size_t>(l.element / kernels::kBatch));
     if (level < due) {
-      const double share = m.impulse_steps(level, step) / m.steps_of(level);
+      const double share = m.impulse_share(level, step);
       kernels::add_wrench(w.elements.wrench.data(), l.element, share * now.force, share * now.moment);
     }
     if (step > 0) ledger.add_load_work(0.5 * w.dt * power(w, l.element, now.force + before[2 * k], now.moment + before[2 * k + 1]));

@@ -107,8 +107,7 @@ kernels::BodyForces Simulation::body_forces(int level) const {
   const double dt = world_->step_of(level), t = static_cast<double>(step_) * world_->dt;
   kernels::BodyForces f{dt, gravity_at(t), ground_at(t), {}, {}, damps_rotation(), damped_ground(t)};
   if (step_ == 0) {  // no interval behind the first step
-    const Multirate& m = world_->multirate;
-    const double share = m.impulse_steps(level, 0) / m.steps_of(level);
+    const double share = world_->multirate.impulse_share(level, 0);
     f.gravity = share * f.gravity, f.ground = share * f.ground;
   } else {
     f.mean_gravity = 0.5 * (f.gravity + gravity_at(t - dt));

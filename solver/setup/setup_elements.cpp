@@ -41,7 +41,7 @@ void size_arrays(Elements& e, Team& team) {
   assign_in_shares(e.dashpot, n * kernels::kDashpotStride, 0.0, team);
 }
 
-// Relative to the trace: products of inertia below it are the round-off of a body that has none, and would turn it out of its plane.
+// Of the trace of the inertia: a smaller product of inertia is the round-off of a body that has none. It would tilt a body that spins flat.
 constexpr double kNoProduct = 1e-13;
 
 /// In reference axes.

@@ -49,6 +49,8 @@ struct Multirate {
   [[nodiscard]] double impulse_steps(int level, std::int64_t step) const noexcept {
     return step == 0 ? 0.5 * (steps_of(level) + 1.0) : steps_of(level);
   }
+  /// The same as a share of all steps of the level: of the impulse of a force that acts as long as pairs of that level do.
+  [[nodiscard]] double impulse_share(int level, std::int64_t step) const noexcept { return impulse_steps(level, step) / steps_of(level); }
   /// Level of the joint of two elements during the shaking, by which sides are sorted into blocks. The base has the highest level.
   [[nodiscard]] int joint_level_in_cycles(std::int32_t a, std::int32_t b) const noexcept { return lower(of_joints, a, b); }
   /// Level of the joint of two elements in this step: 0 while settling.

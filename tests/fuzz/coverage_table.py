@@ -18,7 +18,7 @@ def lines_of(path):
     files, name = {}, None
     for row in pathlib.Path(path).read_text().splitlines():
         if row.startswith("SF:"):
-            name = row[3:].split("/work/main/")[-1].removeprefix(str(ROOT) + "/")
+            name = row[3:].removeprefix(str(ROOT) + "/")
             files.setdefault(name, {})
         elif row.startswith("DA:"):
             line, count = row[3:].split(",")[:2]

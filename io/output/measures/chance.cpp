@@ -41,9 +41,9 @@ std::span<const std::string_view> figures_of_chance() {
 
 std::string words_of_chance(const Measures& m) {
   return geometry::printed("Parts fall from %.2f s on, so the run is chaotic", m.first_fallen_time) +
-         ": the last digit of an input changes figures with *, and those of single walls, by some per cent up to their own size. First "
-         "crack, damage grade, collapse and what falls first, with their times, and the segments opened by tension or shear hold within "
-         "some per cent. Runs with scatter.variation = 1e-9 and other seeds show the spread.";
+         ": the last digit of an input changes figures with *, and those of single walls, by some per cent up to their own size. In the "
+         "models tried, the first crack, the damage grade, collapse and what falls first, with their times, and the segments opened by "
+         "tension or shear held within some per cent. Runs with scatter.variation = 1e-9 and other seeds show the spread.";
 }
 
 }  // namespace voussoir::io

@@ -17,15 +17,15 @@ import xml.etree.ElementTree
 import voussoir
 from fixture import InAFolder
 
-MARKUP = ["<img src=x onerror=hacked()>", "</script><script>hacked()</script>", '"><svg onload=hacked()>', "'-hacked()-'", "${hacked()}",
-          "<iframe src=javascript:parent.hacked()>", "<b onmouseover=hacked() onclick=hacked()>b</b>", "--><script>hacked()</script>"]
-SHELL = ["$(touch hacked)", "`touch hacked`", "; touch hacked;", "| touch hacked", "' ; touch hacked ; '", "-o hacked", "%s%n"]
+MARKUP = ["<img src=x onerror=executed()>", "</script><script>executed()</script>", '"><svg onload=executed()>', "'-executed()-'", "${executed()}",
+          "<iframe src=javascript:parent.executed()>", "<b onmouseover=executed() onclick=executed()>b</b>", "--><script>executed()</script>"]
+SHELL = ["$(touch executed)", "`touch executed`", "; touch executed;", "| touch executed", "' ; touch executed ; '", "-o executed", "%s%n"]
 CHROMIUM = next((p for p in ("chromium", "chromium-browser", "google-chrome") if shutil.which(p)), None)
 
 # Runs in the page once it is there: clicks, chooses and points at everything, then says what came of it.
 CLICKS = """<script>
-window.hacks = 0;
-window.hacked = () => { window.hacks += 1; };
+window.runs = 0;
+window.executed = () => { window.runs += 1; };
 window.addEventListener("load", () => setTimeout(async () => {
   try { await window.opened; } catch (e) { document.documentElement.dataset.fault = e; }
   let clicks = 0;
@@ -41,7 +41,7 @@ window.addEventListener("load", () => setTimeout(async () => {
     clicks += 1;
   }
   await new Promise((done) => setTimeout(done, 500));
-  document.documentElement.dataset.seen = `clicks ${clicks}, hacks ${window.hacks}`;
+  document.documentElement.dataset.seen = `clicks ${clicks}, executed ${window.runs}`;
 }, 200));
 </script>"""
 
@@ -105,14 +105,14 @@ class Injection(InAFolder):
 
     def nothing_ran(self, page):
         dom = self.shown(page)
-        seen = re.search(r'data-seen="clicks (\d+), hacks (\d+)"', dom)
+        seen = re.search(r'data-seen="clicks (\d+), executed (\d+)"', dom)
         self.assertIsNotNone(seen, dom[:2000])
         self.assertGreater(int(seen[1]), 50)
         self.assertEqual(int(seen[2]), 0)
         self.assertEqual(Elements(dom).odd, [])
 
     def assert_no_shell(self):
-        self.assertEqual([str(p) for p in self.folder.rglob("hacked*")], [])
+        self.assertEqual([str(p) for p in self.folder.rglob("executed*")], [])
 
     @unittest.skipIf(CHROMIUM is None, "no chromium")
     def test_the_clicks_find_what_is_executed(self):
@@ -124,7 +124,7 @@ class Injection(InAFolder):
     @unittest.skipIf(CHROMIUM is None, "no chromium")
     def test_pages(self):
         model = self.model()
-        folder = self.folder / "$(touch hacked) <img src=x onerror=hacked()>"
+        folder = self.folder / "$(touch executed) <img src=x onerror=executed()>"
         run = model.run(folder, threads=1, progress=False)
         other = model.run(self.folder / "other", until=0.03, threads=1, progress=False)
         for page in (run.report(), run.report(other=other), model.view(self.folder / "view.html")):
@@ -134,8 +134,8 @@ class Injection(InAFolder):
     def test_drawings_and_files(self):
         model = self.model()
         run = model.run(self.folder / "run", threads=1, progress=False)
-        model.check(draw=self.folder / "`touch hacked`.svg")
-        voussoir.call("assess", run.folder, "--maps", self.folder / "maps ; touch hacked", "--spectra", self.folder / "| touch hacked.csv")
+        model.check(draw=self.folder / "`touch executed`.svg")
+        voussoir.call("assess", run.folder, "--maps", self.folder / "maps ; touch executed", "--spectra", self.folder / "| touch executed.csv")
         drawings = list(self.folder.rglob("*.svg"))
         self.assertGreater(len(drawings), 1)
         for drawing in drawings:
@@ -147,17 +147,17 @@ class Injection(InAFolder):
         xml.etree.ElementTree.parse(run.folder / "run.xdmf")
         for words in (("summary", run.folder), ("check", self.folder / "run"), ("compare", run.folder, run.folder)):
             voussoir.call(*words)
-        self.assertEqual([p for p in self.folder.rglob("hacked*") if p.name == "hacked"], [])
+        self.assertEqual([p for p in self.folder.rglob("executed*") if p.name == "executed"], [])
 
     @unittest.skipIf(CHROMIUM is None or not shutil.which("ffmpeg"), "no chromium or no ffmpeg")
     def test_films_and_pictures(self):
         run = self.model().run(self.folder / "run", threads=1, progress=False)
-        for name in ("$(touch hacked);`touch hacked`.gif", "-y hacked %d%s.gif"):
+        for name in ("$(touch executed);`touch executed`.gif", "-y executed %d%s.gif"):
             film = run.film(self.folder / name, speed=0.5)
             self.assertTrue(film.read_bytes().startswith(b"GIF89a"), name)
             self.assertEqual(film.parent, self.folder)
-        voussoir.call("report", run.folder, "--stills", "0.02", "-o", self.folder / "stills $(touch hacked)")
-        self.assertEqual([p for p in self.folder.rglob("*") if p.name == "hacked"], [])
+        voussoir.call("report", run.folder, "--stills", "0.02", "-o", self.folder / "stills $(touch executed)")
+        self.assertEqual([p for p in self.folder.rglob("*") if p.name == "executed"], [])
 
     def test_studies(self):
         def build(stone, scale):
@@ -168,9 +168,9 @@ class Injection(InAFolder):
             model.box(stone, [0, 0, 0], [0.2, 0.2, 0.2], material=stone)
             model.motion("bam-like")
             return model
-        study = voussoir.Study(self.folder / "study $(touch hacked) <b>", build, stone=[MARKUP[0], MARKUP[2], SHELL[0], "../../outside"], scale=[1.0])
+        study = voussoir.Study(self.folder / "study $(touch executed) <b>", build, stone=[MARKUP[0], MARKUP[2], SHELL[0], "../../outside"], scale=[1.0])
         study.run(quiet=True)
         self.assertEqual({row["status"] for row in study.table()}, {"done"})
-        study.write(self.folder / "; touch hacked.csv")
+        study.write(self.folder / "; touch executed.csv")
         self.assertEqual({p.parent for p in self.folder.rglob("run.h5")}, {study.folder / name for name in study.runs})
-        self.assertEqual([p for p in self.folder.rglob("*") if p.name == "hacked"], [])
+        self.assertEqual([p for p in self.folder.rglob("*") if p.name == "executed"], [])
