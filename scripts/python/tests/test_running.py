@@ -4,6 +4,7 @@
 
 import csv
 import json
+import os
 import shutil
 import signal
 import subprocess
@@ -80,7 +81,7 @@ class Running(InAFolder):
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", voussoir.ProgramWarning)
             while child.poll() is None:
-                parts = len(list(folder.glob("parts/*.h5")))
+                parts = self.parts_of(folder)
                 if (folder / "run.h5").exists() and parts > last and len(opened) < 20:
                     last = parts
                     run = voussoir.Run(folder)
@@ -106,6 +107,13 @@ class Running(InAFolder):
                 run.refresh()
             self.assertEqual({run.state for run, _ in opened}, {"finished"})
             self.assertEqual({len(run.energy.time) for run, _ in opened}, {len(voussoir.Run(folder).energy.time)})
+
+    def parts_of(self, folder):
+        """Parts of the run so far; the program may take the folder of parts away at any moment."""
+        try:
+            return sum(name.endswith(".h5") for name in os.listdir(folder / "parts"))
+        except FileNotFoundError:
+            return 0
 
     def rows_or_error(self, *tables):
         try:
