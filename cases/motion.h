@@ -27,7 +27,7 @@ double acceleration_at(const Accelerogram& a, double t) noexcept;
 /// Three components on x, y, z; an absent axis has no samples.
 struct GroundMotion {
   std::array<Accelerogram, 3> axis;
-  double factor = 1.0;  // factor of all components to reach Motion::intensity; 1 without it
+  std::array<double, 3> factor{1.0, 1.0, 1.0};  // of L, T, V (of x, y, z if files are given so), to reach Motion::intensity
 };
 /// Ground acceleration at time t [s], m/s2. Zero for t < 0.
 Vec3 acceleration_at(const GroundMotion& m, double t) noexcept;

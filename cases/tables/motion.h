@@ -18,11 +18,16 @@ struct MotionTreatment {
 };
 
 enum class IntensityMeasure { pga, pgv, sa };
-/// Intensity level to which a motion is scaled by one factor (io/input/motion/spectra/intensity.h).
+/// What has the level, of two horizontal components: each of them, by a factor of its own, as both have the same spectrum in EN
+/// 1998-1:2004, 3.2.2.1(3)P; or one number of both, by one factor: the geometric mean, the median over all horizontal directions, or the
+/// larger one.
+enum class IntensityOf { each, geometric_mean, rotd50, larger };
+/// Intensity level to which a motion is scaled (io/input/motion/spectra/intensity.h).
 struct MotionIntensity {
   IntensityMeasure measure = IntensityMeasure::pga;
   double level = 0.0;            // m/s2; for PGV m/s
   std::optional<double> period;  // s, for Sa only
+  IntensityOf components = IntensityOf::each;
 };
 
 /// Base acceleration: a record (name or folder) with a direction; or files for x, y, z; or files for L, T, V with a direction.

@@ -40,6 +40,14 @@ class Unreadable(Exception):
     """The results of a run cannot be read, with the reason."""
 
 
+def motion_factor(file):
+    """By which its [intensity] was reached: the factor of the vertical component, which is that of all, or the geometric mean of the two others'."""
+    for name in ("motion/factors", "motion/factor"):  # the second: of an older run
+        if name in file:
+            return {"motion_factor": float(file[name][-1])}
+    return {}
+
+
 def results(voussoir, folder):
     """Results of a run, measured anew, and the program that made it. Numbers keep all digits."""
     said = subprocess.run([voussoir, "summary", str(folder), "--format", "json"], capture_output=True, text=True, check=False)
@@ -47,7 +55,7 @@ def results(voussoir, folder):
         raise Unreadable(said.stderr.strip())
     try:
         with h5py.File(folder / "run.h5") as file:
-            factor = {"motion_factor": float(file["motion/factor"][0])} if "motion/factor" in file else {}  # by which its [intensity] was reached
+            factor = motion_factor(file)
             return flat(json.loads(said.stdout)) | factor | {"version": file["provenance"].attrs["version"]}
     except (OSError, KeyError) as error:
         raise Unreadable(str(error)) from error

@@ -62,8 +62,9 @@ def is_scale(value):
     return is_number(value) or (isinstance(value, list) and len(value) == 3 and all(map(is_number, value)))
 
 
+COMPONENTS = ("each", "geometric mean", "RotD50", "larger")  # of motion.intensity.components
 INTENSITY = ('a table [intensity]: measure = "PGA" (m/s2), "PGV" (m/s) or "Sa" (m/s2), of Sa also period = a number > 0 (s), '
-             "levels = [numbers > 0], each once")
+             "levels = [numbers > 0], each once; components = " + " | ".join(map(json.dumps, COMPONENTS)) + " (default: the case's)")
 MOTION_FILES, MOTION_TEXTS = ("record", "L", "T", "V", "x", "y", "z"), ("unit", "baseline")
 MOTION_KEYS = (*MOTION_FILES, *MOTION_TEXTS, "dt", "from", "to", "taper")
 
@@ -153,11 +154,11 @@ def read_intensity(path, table):
     if table is None:
         return [None]
     given = table if isinstance(table, dict) else {}
-    measure, period, levels = (given.get(key) for key in ("measure", "period", "levels"))
+    measure, period, levels, components = (given.get(key) for key in ("measure", "period", "levels", "components"))
     good_levels = isinstance(levels, list) and all(map(is_positive, levels)) and len(set(levels)) == len(levels) > 0
     good_period = is_positive(period) if measure == "Sa" else period is None
-    wrong = [key for key in given if key not in ("measure", "period", "levels")]
-    wrong += [key for key, good in (("measure", measure in list(UNITS)), ("period", good_period), ("levels", good_levels)) if not good]
+    good = {"measure": measure in list(UNITS), "period": good_period, "levels": good_levels, "components": components in (None, *COMPONENTS)}
+    wrong = [key for key in given if key not in good] + [key for key in good if not good[key]]
     if table is not given:
         raise fault(path, "intensity", table, INTENSITY)
     if wrong:
@@ -165,6 +166,7 @@ def read_intensity(path, table):
     levels = [float(level) for level in levels]  # 8 and 8.0 are one level
     short, words = (f"Sa{period:g}", f"Sa({period:g} s)") if period else (measure, measure)
     overrides = [f"motion.intensity.measure={json.dumps(measure)}", f"motion.intensity.period={period or ''}"]  # empty: in place of the case's
+    overrides += [f"motion.intensity.components={json.dumps(components)}"] if components else []
     return [{"measure": words, "level": level, "name": f"{short}_{level:g}", "set": [*overrides, f"motion.intensity.level={level}"]} for level in levels]
 
 

@@ -174,23 +174,38 @@ void print_table(const std::vector<Component>& components, std::ostream& out) {
   }
 }
 
-/// Prints the measures of motion.intensity for each pair of horizontal components, as recorded.
+/// A value of two components, or why there is none.
+std::string intensity_text(const cases::MotionIntensity& m, const cases::Accelerogram& a, const cases::Accelerogram& b) {
+  if (m.components == cases::IntensityOf::rotd50 && a.dt != b.dt) return "other steps";
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.4g", intensity(m, a, b));
+  return digits;
+}
+
+/// Prints what motion.intensity can bring to a level, for each pair of horizontal components as recorded.
 void print_intensities(const std::vector<Component>& components, const std::vector<double>& periods, std::ostream& out) {
-  using cases::IntensityMeasure;
-  std::vector<cases::MotionIntensity> measures{{IntensityMeasure::pga, 1.0, {}}, {IntensityMeasure::pgv, 1.0, {}}};
-  for (const double period : periods) measures.push_back({IntensityMeasure::sa, 1.0, period});
-  out << "\nintensity (motion.intensity: geometric mean of both horizontal components; Sa with 5 % of damping)\n";
+  using cases::IntensityMeasure, cases::IntensityOf;
+  std::vector<cases::MotionIntensity> measures{{.measure = IntensityMeasure::pga}, {.measure = IntensityMeasure::pgv}};
+  for (const double period : periods) measures.push_back({.measure = IntensityMeasure::sa, .period = period});
+  out << "\nintensity, which motion.intensity brings to a level, of each horizontal component, or of both by motion.intensity.components\n";
   for (const HorizontalPair& pair : horizontal_pairs(components, "--intensity")) {
-    out << pair.record << ":";
-    const char* between = " ";
-    for (cases::MotionIntensity& m : measures) {
-      char digits[32];
-      std::snprintf(digits, sizeof digits, "%.4g", intensity(m, components[pair.first].motion, components[pair.second].motion));
-      m.level = std::strtod(digits, nullptr);
-      out << between << described(m);
-      between = ", ";
+    const Component &a = components[pair.first], &b = components[pair.second];
+    char line[160];
+    std::snprintf(line, sizeof line, "  %-18s %11s %11s %15s %11s %11s\n", "measure", a.name.c_str(), b.name.c_str(), "geometric mean",
+                  "RotD50", "larger");
+    out << pair.record << ":\n" << line;
+    for (const cases::MotionIntensity& m : measures) {
+      const auto of_both = [&](IntensityOf components_of) {
+        cases::MotionIntensity of = m;
+        of.components = components_of;
+        return intensity_text(of, a.motion, b.motion);
+      };
+      const std::string measure = intensity_name(m) + ", " + intensity_unit(m);
+      std::snprintf(line, sizeof line, "  %-18s %11s %11s %15s %11s %11s\n", measure.c_str(), intensity_text(m, a.motion, {}).c_str(),
+                    intensity_text(m, {}, b.motion).c_str(), of_both(IntensityOf::geometric_mean).c_str(),
+                    of_both(IntensityOf::rotd50).c_str(), of_both(IntensityOf::larger).c_str());
+      out << line;
     }
-    out << "\n";
   }
 }
 

@@ -86,15 +86,24 @@ void look_for_unused(const LoadedCase& c, const cases::Model& m, std::vector<std
   }
 }
 
+/// Checks that neither of two components is nearly still, where it is the factors that make up for it. \param a, b  peaks as recorded
+void look_at_ratio(const cases::MotionIntensity& of, double a, double b, std::vector<std::string>& out) {
+  if (std::min(a, b) == 0.0 || std::min(a, b) >= kWeaker * std::max(a, b)) return;
+  const std::string times = "one horizontal component is " + four_digits(std::max(a, b) / std::min(a, b)) + " times as strong as the other";
+  if (of.components == cases::IntensityOf::geometric_mean)
+    out.push_back("motion.intensity is a geometric mean, and " + times + "; motion.scale = [1, 0, 1] takes one away");
+  if (of.components == cases::IntensityOf::each)
+    out.push_back("motion.intensity brings each horizontal component to the level, and as recorded " + times +
+                  "; motion.intensity.components = \"larger\" keeps their ratio");
+}
+
 /// Checks that the run reaches the intensity, which is that of the whole record, and that neither of two components is nearly still.
 void look_at_intensity(const cases::Motion& m, const cases::GroundMotion& motion, double duration, std::vector<std::string>& out) {
   const bool turned = !std::ranges::any_of(m.xyz, [](const auto& file) { return file.has_value(); });
   const auto component = [&](char letter, std::size_t axis) { return motion.axis[turned ? m.direction.find(letter) : axis]; };
   std::array<cases::Accelerogram, 2> horizontal{component('L', 0), component('T', 1)};
-  const double a = figures(horizontal[0]).peak_acceleration, b = figures(horizontal[1]).peak_acceleration;
-  if (std::min(a, b) > 0.0 && std::min(a, b) < kWeaker * std::max(a, b))
-    out.push_back("motion.intensity is a geometric mean, and one horizontal component is " + four_digits(std::max(a, b) / std::min(a, b)) +
-                  " times as strong as the other; motion.scale = [1, 0, 1] takes one away");
+  look_at_ratio(*m.intensity, figures(horizontal[0]).peak_acceleration / motion.factor[0],
+                figures(horizontal[1]).peak_acceleration / motion.factor[1], out);
   const double step = std::max(horizontal[0].dt, horizontal[1].dt);
   if (m.intensity->measure == cases::IntensityMeasure::sa && *m.intensity->period < kStepsOfPeriod * step)
     out.push_back("motion.intensity.period = " + four_digits(*m.intensity->period) + " s is shorter than ten steps of the record (" +

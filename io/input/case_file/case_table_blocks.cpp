@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <set>
 
-#include "cases/tables/time.h"
 #include "cases/tables/blocks.h"
 #include "cases/tables/loads.h"
 #include "cases/tables/motion.h"
 #include "cases/tables/output.h"
+#include "cases/tables/time.h"
 #include "io/input/case_file/case_tables.h"
 #include "io/input/case_file/usual_ranges.h"
 #include "io/input/document/history_name.h"
@@ -115,13 +115,23 @@ Table<MotionIntensity> intensity_table() {
   const std::vector<std::pair<std::string, IntensityMeasure>> measures{
       {"PGA", IntensityMeasure::pga}, {"PGV", IntensityMeasure::pgv}, {"Sa", IntensityMeasure::sa}};
   return {
-      "a level that the motion is brought to: after scale, all components are multiplied by one factor",
-      {required(choice<S>("measure", &S::measure, "", measures,
-                          "peak ground acceleration, peak ground velocity, or spectral acceleration at `period` with 5 % of damping: the "
-                          "geometric mean of both horizontal components (L and T, wherever `direction` sends them, or x and y)")),
+      "a level that the motion is brought to, after scale",
+      {required(choice<S>(
+           "measure", &S::measure, "", measures,
+           "peak ground acceleration, peak ground velocity, or spectral acceleration at `period` with 5 % of damping, of the horizontal "
+           "components (L and T, wherever `direction` sends them, or x and y)")),
        required(value<S>("level", &S::level, "", above(0.0).possibly(1e-6, 1e4),
                          "PGA: m/s2 (not g), usually 0.5 to 45; PGV: m/s, usually 0.01 to 5; Sa: m/s2")),
-       value<S>("period", &S::period, "s", within(0.01, 20.0), "of the oscillator: of Sa alone")},
+       value<S>("period", &S::period, "s", within(0.01, 20.0), "of the oscillator: of Sa alone"),
+       choice<S>(
+           "components", &S::components, "",
+           std::vector<std::pair<std::string, IntensityOf>>{{"each", IntensityOf::each},
+                                                            {"geometric mean", IntensityOf::geometric_mean},
+                                                            {"RotD50", IntensityOf::rotd50},
+                                                            {"larger", IntensityOf::larger}},
+           "what has the level: each of the two horizontal components, by a factor of its own, the vertical one by the geometric mean "
+           "of both factors (as design codes take a pair, which has one spectrum in both directions); or, by one factor for all three, "
+           "the geometric mean of both, the median over all horizontal directions, or the larger one")},
       [](const S& s, const RuleCheck& check) {
         const bool sa = s.measure == IntensityMeasure::sa;
         if (sa && !s.period) check.fault("measure", "needs motion.intensity.period, in s");

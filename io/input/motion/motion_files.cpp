@@ -149,8 +149,8 @@ cases::GroundMotion load_motion(const cases::Motion& motion, const std::string& 
   cases::GroundMotion result;
   for (std::size_t i = 0; i < 3; ++i) multiply(read[i], motion.scale[i], "motion.scale");
   if (motion.intensity) {
-    result.factor = factor_to_reach(*motion.intensity, read[0], read[1]);
-    for (cases::Accelerogram& component : read) multiply(component, result.factor, "motion.intensity");
+    result.factor = factors_to_reach(*motion.intensity, read[0], read[1]);
+    for (std::size_t i = 0; i < 3; ++i) multiply(read[i], result.factor[i], "motion.intensity");
   }
   for (std::size_t i = 0; i < 3; ++i) result.axis[i] = std::move(read[turned ? component_index(motion.direction[i]) : i]);
   return result;

@@ -39,6 +39,7 @@ cases::GroundMotion ground_motion(const cases::Case& c);
 std::string motion_lines(const cases::Case& c, const cases::GroundMotion& applied);
 
 /// Treatment of a record in words: "from 27 to 47 s, multiplied by 0.4716 to reach PGA = 3 m/s2"; empty: as recorded, except for `scale`.
-std::string done_to_record(const cases::Motion& motion, double factor);
+/// \param factor  GroundMotion::factor
+std::string done_to_record(const cases::Motion& motion, const std::array<double, 3>& factor);
 
 }  // namespace voussoir::io

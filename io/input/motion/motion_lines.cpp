@@ -10,15 +10,39 @@
 
 namespace voussoir::io {
 
-std::string done_to_record(const cases::Motion& motion, double factor) {
+std::string done_to_record(const cases::Motion& motion, const std::array<double, 3>& factor) {
   std::string done = described(motion.treatment);
   if (motion.intensity) {
-    char number[32];
-    std::snprintf(number, sizeof number, "%.6g", factor);
-    done += (done.empty() ? "" : ", ") + std::string("multiplied by ") + number + " to reach " + described(*motion.intensity);
+    const auto [first, second, vertical] = factor;
+    char by[80];
+    std::snprintf(by, sizeof by, "%.6g", first);
+    if (second != first || vertical != first) std::snprintf(by, sizeof by, "%.6g, %.6g and %.6g", first, second, vertical);
+    done += (done.empty() ? "" : ", ") + std::string("multiplied by ") + by + " to reach " + described(*motion.intensity);
   }
   return done;
 }
+
+namespace {
+
+/// What [motion.intensity] came to: the peaks before and after, and the factor of each component.
+std::string scaling_table(const cases::Case& c, const cases::GroundMotion& applied) {
+  cases::Motion plain = *c.motion;
+  plain.intensity.reset();
+  const cases::GroundMotion before = load_motion(plain, c.folder);
+  std::string text =
+      "motion.intensity         " + described(*c.motion->intensity) + ", " + meaning_of(c.motion->intensity->components) + "\n";
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (applied.axis[i].acceleration.empty()) continue;
+    const double from = figures(before.axis[i]).peak_acceleration, to = figures(applied.axis[i]).peak_acceleration;
+    char line[120];
+    std::snprintf(line, sizeof line, "  scaling along %c        PGA %.4g -> %.4g m/s2 (%.3g g), factor %.4g\n", "xyz"[i], from, to,
+                  to / cases::kStandardGravity, from > 0.0 ? to / from : 1.0);
+    text += line;
+  }
+  return text;
+}
+
+}  // namespace
 
 std::string motion_lines(const cases::Case& c, const cases::GroundMotion& applied) {
   if (!c.motion || is_assessment(c.analysis)) return {};
@@ -34,6 +58,7 @@ std::string motion_lines(const cases::Case& c, const cases::GroundMotion& applie
   }
   const std::string done = done_to_record(*c.motion, applied.factor);
   if (!done.empty()) text += "done to the record       " + done + "\n";
+  if (c.motion->intensity) text += scaling_table(c, applied);
   return text;
 }
 

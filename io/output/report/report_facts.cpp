@@ -207,7 +207,10 @@ cases::GroundMotion motion_of(const LoadedCase& c, const Hdf5File& file) {
 /// Total factors of the components of the record.
 std::array<double, 3> scale_of(const cases::Motion& m, const Hdf5File& file) {
   std::array<double, 3> scale = m.scale;
-  if (m.intensity && file.exists("/motion/factor")) {
+  if (m.intensity && file.exists("/motion/factors")) {
+    const std::vector<double> factors = file.read<double>("/motion/factors");
+    for (std::size_t i = 0; i < scale.size(); ++i) scale[i] *= factors.at(i);
+  } else if (m.intensity && file.exists("/motion/factor")) {  // of a run before motion.intensity.components
     for (double& s : scale) s *= file.read<double>("/motion/factor").at(0);
   }
   return scale;

@@ -86,8 +86,8 @@ std::vector<StaticDataset> motion_datasets(const cases::Case& c, const cases::Gr
       dataset("/motion/velocity", m.velocity, vectors, "m/s", "of the base: the integral of its acceleration from rest"),
       dataset("/motion/displacement", m.displacement, vectors, "m", "of the base: the integral of its velocity from zero")};
   if (c.motion->intensity)
-    all.push_back(
-        dataset("/motion/factor", std::vector{motion.factor}, {1}, "1", "by which the record was multiplied to reach motion.intensity"));
+    all.push_back(dataset("/motion/factors", std::vector(motion.factor.begin(), motion.factor.end()), {3}, "1",
+                          "by which L, T, V (or x, y, z) of the record were multiplied to reach motion.intensity"));
   return all;
 }
 

@@ -20,6 +20,7 @@ namespace {
 
 constexpr const char* kWhat = "voussoir checkpoint";
 constexpr std::array kAxes{"x", "y", "z"};
+constexpr std::array kFactors{"first_factor", "second_factor", "third_factor"};  // of the components of the record
 
 Hdf5Type hdf5_type(solver::FieldType t) {
   using enum solver::FieldType;
@@ -51,7 +52,7 @@ void write_facts(Hdf5File& file, const CheckpointFacts& facts) {
 
 void write_motion(Hdf5File& file, const cases::GroundMotion& motion) {
   file.make_group("/motion");
-  file.set_attribute("/motion", "factor", motion.factor);
+  for (std::size_t i = 0; i < kFactors.size(); ++i) file.set_attribute("/motion", kFactors[i], motion.factor[i]);
   for (std::size_t i = 0; i < kAxes.size(); ++i) {
     const cases::Accelerogram& a = motion.axis[i];
     const std::string name = std::string("/motion/") + kAxes[i];
@@ -226,7 +227,10 @@ class Reader {
 
   [[nodiscard]] cases::GroundMotion motion() {
     cases::GroundMotion m;
-    if (file_.has_attribute("/motion", "factor")) m.factor = file_.attribute_double("/motion", "factor");
+    if (file_.has_attribute("/motion", "factor")) m.factor.fill(file_.attribute_double("/motion", "factor"));  // one, in older files
+    for (std::size_t i = 0; i < kFactors.size(); ++i) {
+      if (file_.has_attribute("/motion", kFactors[i])) m.factor[i] = file_.attribute_double("/motion", kFactors[i]);
+    }
     for (std::size_t i = 0; i < kAxes.size(); ++i) {
       const std::string name = std::string("/motion/") + kAxes[i];
       m.axis[i] = {file_.attribute_text(name, "name"), file_.attribute_double(name, "dt"), numbers(name, 1)};

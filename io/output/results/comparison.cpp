@@ -157,7 +157,7 @@ class Comparer {
   /// Pairs rows by time in tables with one row per time; in all others, as cracks, by number.
   const RowPairs& pairs_of(const std::string& name, std::uint64_t rows) {
     const std::string time = times_of(a_, name);
-    // A group may also contain other data: /motion/factor is one number.
+    // A group may also contain other data: /motion/factors are three numbers.
     const auto has_row_a_time = [&](const Hdf5File& file) { return file.shape(name).at(0) == file.shape(time).at(0); };
     const bool by_time =
         !time.empty() && time == times_of(b_, name) && !time.starts_with("/cracks/") && has_row_a_time(a_) && has_row_a_time(b_);

@@ -86,6 +86,7 @@ _RULES = {
     "/assessment/time": Rule(("/assessment/time",), "time"),
     "/assessment/unbalanced": Rule(("/assessment/time",), "any"),
     "/assessment/": Rule(("/assessment/time",), "row"),
+    "/motion/factors": Rule(("3",)),
     "/motion/factor": Rule(("1",)),
     "/motion/time": Rule(("/motion/time",), "time"),
     "/motion/": Rule(("/motion/time",)),

@@ -78,6 +78,7 @@ std::vector<ValueRule> rules_of_rows() {
           {"/assessment/time", {"/assessment/time"}, time},
           {"/assessment/unbalanced", {"/assessment/time"}, any},
           {"/assessment/", {"/assessment/time"}, row},
+          {"/motion/factors", {"3"}},
           {"/motion/factor", {"1"}},
           {"/motion/time", {"/motion/time"}, time},
           {"/motion/", {"/motion/time"}},

@@ -125,13 +125,13 @@ box = [[0,0,0],[0.2,0.2,0.2]]
   CHECK(o.code == 0);
   CHECK(says(o, {"identical: "}));
   const std::string level = "--set motion.record=bam-like --set motion.intensity.measure=PGA --set motion.intensity.level=";
-  run("d", level + "2.0");  // with /motion/factor, which is no row at a time
+  run("d", level + "2.0");  // with /motion/factors, which is no row at a time
   run("e", level + "3.0");
   o = the_program("compare " + folder.path("d") + " " + folder.path("d"));
   CHECK(o.code == 0);
   o = the_program("compare " + folder.path("d") + " " + folder.path("e"));
   CHECK(o.code == 1);
-  CHECK(says(o, {"/motion/factor"}));
+  CHECK(says(o, {"/motion/factors"}));
   o = the_program("compare " + a + " " + b + " --format json");
   CHECK(o.code == 1);
   const Json json = Json::parse(o.text);

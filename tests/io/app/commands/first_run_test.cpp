@@ -238,7 +238,13 @@ TEST_CASE("check tells of what nothing has, of motions that no record has, and o
   CHECK(says(strong, {"warning: the motion along x is stronger than any record: peaks of 2746 m/s2", "motion.unit"}));
   const Outcome level =
       voussoir("check " + path + " -j 1 --set time.duration=1 --set motion.record=bam-like --set motion.scale=[1,0.01,1] " +
-               "--set motion.intensity.measure=PGA --set motion.intensity.level=2");
+               "--set motion.intensity.measure=PGA --set motion.intensity.level=2 --set \"motion.intensity.components=geometric mean\"");
+  const Outcome each = voussoir("check " + path + " -j 1 --set motion.record=bam-like --set motion.scale=[1,0.01,1] " +
+                                "--set motion.intensity.measure=PGA --set motion.intensity.level=2");
+  CHECK(says(each, {"warning: motion.intensity brings each horizontal component to the level, and as recorded one horizontal component is ",
+                    " times as strong as the other; motion.intensity.components = \"larger\" keeps their ratio"}));
+  CHECK(says(each, {"motion.intensity         PGA = 2 m/s2, of each horizontal component, by a factor of its own"}));
+  CHECK(says(each, {"  scaling along x        PGA ", " -> 2 m/s2 (0.204 g), factor "}));
   CHECK(says(voussoir("check " + path + " -j 1 --record bam-like --direction TLV --scale 0.5 --duration 2"),
              {"motion along x", "bam-like T"}));
   CHECK(says(

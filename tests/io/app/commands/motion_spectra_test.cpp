@@ -196,11 +196,26 @@ TEST_CASE("motion command: the measures of motion.intensity, of both horizontal 
   MotionOptions o;
   o.periods = {0.3};
   const std::array<cases::Accelerogram, 3> ltv = io::bam_like_1();
-  char wanted[160];
-  const auto value = [&](cases::IntensityMeasure m, std::optional<double> period) {
-    return io::intensity({m, 1.0, period}, ltv[0], ltv[1]);
+  const auto value = [&](cases::IntensityMeasure m, std::optional<double> period, cases::IntensityOf components) {
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%.4g", io::intensity({m, 1.0, period, components}, ltv[0], ltv[1]));
+    return std::string(digits);
   };
-  std::snprintf(wanted, sizeof wanted, "bam-like: PGA = %.4g m/s2, PGV = %.4g m/s, Sa(0.3 s) = %.4g m/s2\n",
-                value(cases::IntensityMeasure::pga, {}), value(cases::IntensityMeasure::pgv, {}), value(cases::IntensityMeasure::sa, 0.3));
-  CHECK(printed({"bam-like"}, o).ends_with(wanted));
+  const std::string text = printed({"bam-like"}, o);
+  CHECK(text.find("\nbam-like:\n  measure                      L           T  geometric mean      RotD50      larger\n") !=
+        std::string::npos);
+  using cases::IntensityMeasure, cases::IntensityOf;
+  const auto row = [&](const std::string& begin, IntensityMeasure m, std::optional<double> period) {
+    const std::vector<std::string> words = words_of(text, "  " + begin);
+    REQUIRE(words.size() >= 5);
+    const std::vector<std::string> last(words.end() - 5, words.end());
+    const double l = std::stod(last[0]), t = std::stod(last[1]);
+    CHECK(std::sqrt(l * t) == doctest::Approx(std::stod(last[2])).epsilon(1e-3));
+    CHECK(last[2] == value(m, period, IntensityOf::geometric_mean));
+    CHECK(last[3] == value(m, period, IntensityOf::rotd50));
+    CHECK(last[4] == (l > t ? last[0] : last[1]));
+  };
+  row("PGA, m/s2", IntensityMeasure::pga, {});
+  row("PGV, m/s ", IntensityMeasure::pgv, {});
+  row("Sa(0.3 s), m/s2", IntensityMeasure::sa, 0.3);
 }

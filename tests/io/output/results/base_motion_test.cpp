@@ -66,7 +66,7 @@ TEST_CASE("base motion: stands in run.h5 and says what was done to the record; a
   CHECK(run.read<double>("/motion/displacement")[3 * 500 + 2] == doctest::Approx(0.125));
   CHECK(run.attribute_text("/motion/acceleration", "description").find("from 2 s on") != std::string::npos);
   CHECK(run.attribute_text("/motion/acceleration", "unit") == "m/s2");
-  CHECK(!run.exists("/motion/factor"));
+  CHECK(!run.exists("/motion/factors"));
   c.analysis.kind = cases::AnalysisKind::pushover;  // leaves the motion out
   CHECK(io::motion_datasets(c, {}, 5e-4, 1).empty());
 }
@@ -79,13 +79,14 @@ TEST_CASE("base motion: of a case that states an intensity the factor stands in 
   c.time.duration = 0.5;
   cases::GroundMotion m;
   m.axis[0] = {"x", 0.5, {3.0, 1.0}};
-  m.factor = 0.25;
+  m.factor = {0.25, 0.5, 2.0};
   io::ResultsOptions options = by_hand();
   options.motion = io::motion_datasets(c, m, 5e-4, 1);
   const io::ResultsWriter results(folder.path(), two_cubes(), kCase, kNames, {}, options);
   const io::Hdf5File run = io::Hdf5File::open(folder.file("run.h5"));
-  CHECK(run.read<double>("/motion/factor") == std::vector{0.25});
-  CHECK(run.attribute_text("/motion/acceleration", "description").find("multiplied by 0.25 to reach PGA = 3 m/s2") != std::string::npos);
+  CHECK(run.read<double>("/motion/factors") == std::vector{0.25, 0.5, 2.0});
+  CHECK(run.attribute_text("/motion/acceleration", "description").find("multiplied by 0.25, 0.5 and 2 to reach PGA = 3 m/s2") !=
+        std::string::npos);
 }
 
 TEST_CASE("base motion: rows are whole cycles of multi-rate stepping apart, as those of /history are") {

@@ -33,7 +33,7 @@ struct Cracked {
 
   Cracked() {
     g.axis[1].name = "a saw";
-    g.factor = 0.75;
+    g.factor = {0.75, 1.5, 2.5};
     solver::run(sim, plan, c, 1.0, rows, [](const solver::RunStatus& s) { return s.step < 1500; });
   }
   [[nodiscard]] CheckpointFacts facts() const {
@@ -67,7 +67,7 @@ TEST_CASE("a checkpoint is read as it was written, and HDF5's tools find the fil
   CHECK(g.case_toml == f.case_toml);
   CHECK(g.motion.axis[1].acceleration == f.motion.axis[1].acceleration);
   CHECK(g.motion.axis[1].name == "a saw");
-  CHECK(g.motion.factor == 0.75);
+  CHECK(g.motion.factor == std::array{0.75, 1.5, 2.5});
   CHECK(g.motion.axis[2].dt == f.motion.axis[2].dt);
   REQUIRE(g.supports.size() == 1);
   CHECK(g.supports[0].time == f.supports[0].time);
