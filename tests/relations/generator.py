@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A small random model by seed and number: structures of scripts/limit_check, arches and walls with ties, huts; dry, bonded or both; loads,
 parts of the base, gravity that leans, a short record. Nothing is alike on both sides, so that events have one order."""
+import itertools
 import math
 import pathlib
 import random
@@ -108,7 +109,10 @@ def follow(case):
     case.points = {"top": free[-1].middle(), "foot": free[0].middle()}
     corners = numpy.concatenate([b.vertices for b in case.blocks])
     low, high = corners.min(axis=0), corners.max(axis=0)
-    case.cuts = [("across", low + (high - low) * numpy.array([0.4, 0.45, 0.37]), numpy.array([0.1, 0.2, 1.0]))]
+    cut, normal = low + (high - low) * numpy.array([0.4, 0.45, 0.37]), numpy.array([0.1, 0.2, 1.0])
+    above = {float((b.vertices.mean(axis=0) - cut) @ normal) > 0.0 for b in case.blocks}
+    if len(above | ({False} if case.base is not None else set())) == 2:  # else it lies between no two blocks
+        case.cuts = [("across", cut, normal)]
     case.pivot = low
 
 
@@ -166,8 +170,29 @@ def on_raster(case):
     case.ground = [tuple(float(nearest(v)) for v in strip) for strip in case.ground]
 
 
+def faces_are_plane(case):
+    """Whether the raster has left all faces as plane as the program asks, with a margin
+    (geometry/validate.cpp: 1e-9 of the block's size)."""
+    for block in case.blocks:
+        points = numpy.asarray(block.vertices)
+        allowed = 0.8e-9 * numpy.ptp(points, axis=0).max()
+        for face in block.faces:
+            corners = points[list(face)] - points[list(face)].mean(axis=0)
+            normal = numpy.cross(corners, numpy.roll(corners, -1, axis=0)).sum(axis=0)
+            if numpy.abs(corners @ normal).max() > allowed * numpy.linalg.norm(normal):
+                return False
+    return True
+
+
 def make(seed, number):
-    rng = random.Random(f"relations {seed}:{number}")
+    """The first model of this number whose faces are plane; the raster bends those of some leaning ones."""
+    for draw in itertools.count():
+        case = drawn(random.Random(f"relations {seed}:{number}" + (f":{draw}" if draw else "")))
+        if faces_are_plane(case):
+            return case
+
+
+def drawn(rng):
     if rng.random() < 0.12:
         case = hut(rng)
         set_times(rng, case)
