@@ -24,6 +24,7 @@ constexpr double kOnward = 0.9;        // least net share of the displacement pa
 constexpr double kLoaded = 0.25;       // of the largest load factor: the work put in before is too small to compare with
 constexpr double kFirstShare = 0.15;   // of the largest base shear: its secant is the first stiffness
 constexpr double kLeastShear = 1e-3;   // of the loads: a smaller base shear counts as none, as when only moments grow
+constexpr double kRoundOff = 1e-8;     // of a largest value: a row that comes so close to it has it
 constexpr double kItalianShare = 0.7;  // of the largest base shear: point on the elastic branch
 
 using Values = std::vector<double>;
@@ -94,10 +95,17 @@ std::optional<Window> window_of(const CapacityCurve& r, double weight, std::size
   return Window{sum / moved, std::max(0.0, motion) / (weight * moved)};
 }
 
+/// The first row that has the largest value but for round-off: on a level stretch, as of blocks that slide, the very largest may stand
+/// anywhere.
+std::size_t first_at_peak(const std::vector<double>& values) {
+  const double most = *std::ranges::max_element(values), enough = most - kRoundOff * std::abs(most);
+  return static_cast<std::size_t>(std::ranges::find_if(values, [=](double v) { return v >= enough; }) - values.begin());
+}
+
 /// Finds the largest load factor borne by the structure itself, (30) of THEORY.md; of states of rest it is the largest.
 void look_at_motion(Capacity& c, double pace, double weight) {
   const CapacityCurve& r = c.curve;
-  const auto peak = static_cast<std::size_t>(std::ranges::max_element(r.factor) - r.factor.begin());
+  const std::size_t peak = first_at_peak(r.factor);
   c.multiplier = r.factor[peak];
   c.least_factor = *std::ranges::min_element(r.factor);
   if (!r.unbalanced.empty()) {
@@ -123,7 +131,7 @@ void look_at_motion(Capacity& c, double pace, double weight) {
 
 void look_at_shear(Capacity& c, double drop, double weight) {
   const CapacityCurve& r = c.curve;
-  const auto peak = static_cast<std::size_t>(std::ranges::max_element(r.base_shear) - r.base_shear.begin());
+  const std::size_t peak = first_at_peak(r.base_shear);
   c.peak_shear = r.base_shear[peak], c.peak_displacement = r.displacement[peak], c.peak_time = r.time[peak];
   if (c.peak_shear <= kLeastShear * weight * c.multiplier) return;
   c.first_stiffness = kFirstShare * c.peak_shear / crossing(r.displacement, r.base_shear, 0, peak, kFirstShare * c.peak_shear);

@@ -58,6 +58,17 @@ TEST_CASE("capacity: a curve that is elastic, level, and falls") {
   CHECK(c.ntc.force < 1e4);
 }
 
+TEST_CASE("capacity: the peak of a level stretch is where it begins, whatever round-off makes of it") {
+  CapacityCurve c = trilinear(7e-3);
+  const Capacity level = capacity_of(cases::AnalysisKind::pushover, 0.2, kPace, kWeight, 0.0, c);
+  CHECK(level.peak_displacement == doctest::Approx(1e-3));
+  for (std::size_t i = 100; i <= 500; ++i) c.base_shear[i] *= 1.0 + 1e-9 * std::sin(7.0 * static_cast<double>(i));
+  const Capacity got = capacity_of(cases::AnalysisKind::pushover, 0.2, kPace, kWeight, 0.0, c);
+  CHECK(got.peak_displacement == level.peak_displacement);
+  CHECK(got.peak_time == level.peak_time);
+  CHECK(got.ec8.yield == doctest::Approx(level.ec8.yield));
+}
+
 TEST_CASE("capacity: the elastic branch of NTC goes through the curve at 0.7 of its peak, that of EC 8 has the area up to the peak") {
   CapacityCurve c = trilinear(7e-3);
   for (std::size_t i = 0; i < c.time.size(); ++i) {  // a parabola to its top at 5 mm
