@@ -110,8 +110,9 @@ def follow(case):
     corners = numpy.concatenate([b.vertices for b in case.blocks])
     low, high = corners.min(axis=0), corners.max(axis=0)
     cut, normal = low + (high - low) * numpy.array([0.4, 0.45, 0.37]), numpy.array([0.1, 0.2, 1.0])
-    above = {float((b.vertices.mean(axis=0) - cut) @ normal) > 0.0 for b in case.blocks}
-    if len(above | ({False} if case.base is not None else set())) == 2:  # else it lies between no two blocks
+    heights = [float((b.vertices.mean(axis=0) - cut) @ normal) for b in case.blocks] + ([-1.0] if case.base is not None else [])
+    margin = 0.02 * (high - low)[2]  # the mean of the corners is not the centroid
+    if min(heights) < -margin and max(heights) > margin:  # else it may lie between no two blocks
         case.cuts = [("across", cut, normal)]
     case.pivot = low
 
