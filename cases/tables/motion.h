@@ -18,9 +18,9 @@ struct MotionTreatment {
 };
 
 enum class IntensityMeasure { pga, pgv, sa };
-/// What has the level, of two horizontal components: each of them, by a factor of its own, as both have the same spectrum in EN
-/// 1998-1:2004, 3.2.2.1(3)P; or one number of both, by one factor: the geometric mean, the median over all horizontal directions, or the
-/// larger one.
+/// The horizontal value that a level prescribes. each: the value of each of the two components, which then have a factor each; EN
+/// 1998-1:2004, 3.2.2.1(3)P, gives both the same spectrum. The others are one value of both components, which then have one factor: the
+/// geometric mean, the median over all horizontal directions, the larger of the two.
 enum class IntensityOf { each, geometric_mean, rotd50, larger };
 /// Intensity level to which a motion is scaled (io/input/motion/spectra/intensity.h).
 struct MotionIntensity {

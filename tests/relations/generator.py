@@ -194,6 +194,7 @@ def make(seed, number):
 
 
 def drawn(rng):
+    """A model; its points lie on the raster, its faces may not be plane."""
     if rng.random() < 0.12:
         case = hut(rng)
         set_times(rng, case)

@@ -16,6 +16,7 @@
 #include "cases/rules/joint_rules.h"
 #include "cases/solids/outside.h"
 #include "geometry/nth.h"
+#include "io/input/motion/motion_files.h"
 #include "io/input/motion/spectra/figures.h"
 #include "io/input/motion/spectra/intensity.h"
 #include "io/input/stones/stone_sizes.h"
@@ -86,7 +87,8 @@ void look_for_unused(const LoadedCase& c, const cases::Model& m, std::vector<std
   }
 }
 
-/// Checks that neither of two components is nearly still, where it is the factors that make up for it. \param a, b  peaks as recorded
+/// Warns of a component that is far weaker than the other: a factor of its own makes much of it, and a geometric mean little.
+/// \param a, b  peaks as recorded
 void look_at_ratio(const cases::MotionIntensity& of, double a, double b, std::vector<std::string>& out) {
   if (std::min(a, b) == 0.0 || std::min(a, b) >= kWeaker * std::max(a, b)) return;
   const std::string times = "one horizontal component is " + four_digits(std::max(a, b) / std::min(a, b)) + " times as strong as the other";
@@ -99,9 +101,9 @@ void look_at_ratio(const cases::MotionIntensity& of, double a, double b, std::ve
 
 /// Checks that the run reaches the intensity, which is that of the whole record, and that neither of two components is nearly still.
 void look_at_intensity(const cases::Motion& m, const cases::GroundMotion& motion, double duration, std::vector<std::string>& out) {
-  const bool turned = !std::ranges::any_of(m.xyz, [](const auto& file) { return file.has_value(); });
-  const auto component = [&](char letter, std::size_t axis) { return motion.axis[turned ? m.direction.find(letter) : axis]; };
-  std::array<cases::Accelerogram, 2> horizontal{component('L', 0), component('T', 1)};
+  std::array<cases::Accelerogram, 3> components;
+  for (std::size_t axis = 0; axis < 3; ++axis) components[component_along(m, axis)] = motion.axis[axis];
+  std::array<cases::Accelerogram, 2> horizontal{components[0], components[1]};
   look_at_ratio(*m.intensity, figures(horizontal[0]).peak_acceleration / motion.factor[0],
                 figures(horizontal[1]).peak_acceleration / motion.factor[1], out);
   const double step = std::max(horizontal[0].dt, horizontal[1].dt);

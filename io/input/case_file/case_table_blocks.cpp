@@ -123,15 +123,16 @@ Table<MotionIntensity> intensity_table() {
        required(value<S>("level", &S::level, "", above(0.0).possibly(1e-6, 1e4),
                          "PGA: m/s2 (not g), usually 0.5 to 45; PGV: m/s, usually 0.01 to 5; Sa: m/s2")),
        value<S>("period", &S::period, "s", within(0.01, 20.0), "of the oscillator: of Sa alone"),
-       choice<S>(
-           "components", &S::components, "",
-           std::vector<std::pair<std::string, IntensityOf>>{{"each", IntensityOf::each},
-                                                            {"geometric mean", IntensityOf::geometric_mean},
-                                                            {"RotD50", IntensityOf::rotd50},
-                                                            {"larger", IntensityOf::larger}},
-           "what has the level: each of the two horizontal components, by a factor of its own, the vertical one by the geometric mean "
-           "of both factors (as design codes take a pair, which has one spectrum in both directions); or, by one factor for all three, "
-           "the geometric mean of both, the median over all horizontal directions, or the larger one")},
+       choice<S>("components", &S::components, "",
+                 std::vector<std::pair<std::string, IntensityOf>>{{"each", IntensityOf::each},
+                                                                  {"geometric mean", IntensityOf::geometric_mean},
+                                                                  {"RotD50", IntensityOf::rotd50},
+                                                                  {"larger", IntensityOf::larger}},
+                 "the value that reaches the level: that of each of the two horizontal components, by a factor of its own, the vertical "
+                 "one by the "
+                 "geometric mean of both factors (as design codes take a pair, which has one spectrum in both directions); or one value of "
+                 "both, by one "
+                 "factor for all three: their geometric mean, the median over all horizontal directions, or the larger one")},
       [](const S& s, const RuleCheck& check) {
         const bool sa = s.measure == IntensityMeasure::sa;
         if (sa && !s.period) check.fault("measure", "needs motion.intensity.period, in s");

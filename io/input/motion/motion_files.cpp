@@ -28,8 +28,6 @@ bool any_given(const Files& files) {
   return std::any_of(files.begin(), files.end(), [](const auto& f) { return f.has_value(); });
 }
 
-std::size_t component_index(char letter) { return letter == 'L' ? 0 : letter == 'T' ? 1 : 2; }
-
 std::string path_from(const std::string& folder, const std::string& path) { return (fs::path(folder) / path).string(); }
 
 Unstated unstated_of(const cases::Motion& m) { return {m.unit, m.dt}; }
@@ -139,6 +137,10 @@ std::optional<double> acceleration_unit(std::string_view name) {
   return std::nullopt;
 }
 
+std::size_t component_along(const cases::Motion& motion, std::size_t axis) {
+  return any_given(motion.xyz) ? axis : std::string_view("LTV").find(motion.direction[axis]);
+}
+
 cases::GroundMotion load_motion(const cases::Motion& motion, const std::string& case_folder) {
   check(motion);
   const bool turned = !any_given(motion.xyz);
@@ -152,7 +154,7 @@ cases::GroundMotion load_motion(const cases::Motion& motion, const std::string& 
     result.factor = factors_to_reach(*motion.intensity, read[0], read[1]);
     for (std::size_t i = 0; i < 3; ++i) multiply(read[i], result.factor[i], "motion.intensity");
   }
-  for (std::size_t i = 0; i < 3; ++i) result.axis[i] = std::move(read[turned ? component_index(motion.direction[i]) : i]);
+  for (std::size_t i = 0; i < 3; ++i) result.axis[i] = std::move(read[component_along(motion, i)]);
   return result;
 }
 

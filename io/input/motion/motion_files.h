@@ -25,6 +25,10 @@ Record read_record_file(const std::string& path, const Unstated& unstated);
 /// \throw FileError; if one of the files exists and `overwrite` is false, before anything is written.
 void write_record_folder(const Record& record, const std::string& folder, bool overwrite);
 
+/// The component of the record that shakes along an axis (0: x, 1: y, 2: z): 0 L, 1 T, 2 V, or the axis itself if files are given for x, y,
+/// z.
+std::size_t component_along(const cases::Motion& motion, std::size_t axis);
+
 /// The motion on x, y, z in m/s2: cut, corrected and tapered (io/input/motion/treatment.h), scaled, scaled again to the required intensity
 /// (of L and T, or of x and y: io/input/motion/spectra/intensity.h), and rotated to the direction. Relative paths start at `case_folder`
 /// (empty: the working folder). \throw cases::InputError with the key (motion, or motion.record, direction, unit, dt, scale, intensity,

@@ -24,19 +24,15 @@ std::string done_to_record(const cases::Motion& motion, const std::array<double,
 
 namespace {
 
-/// What [motion.intensity] came to: the peaks before and after, and the factor of each component.
-std::string scaling_table(const cases::Case& c, const cases::GroundMotion& applied) {
-  cases::Motion plain = *c.motion;
-  plain.intensity.reset();
-  const cases::GroundMotion before = load_motion(plain, c.folder);
-  std::string text =
-      "motion.intensity         " + described(*c.motion->intensity) + ", " + meaning_of(c.motion->intensity->components) + "\n";
+/// How [motion.intensity] was reached: along each axis the factor, and the peak acceleration before and after.
+std::string scaling_table(const cases::Motion& m, const cases::GroundMotion& applied) {
+  std::string text = "motion.intensity         " + described(*m.intensity) + ", " + meaning_of(m.intensity->components) + "\n";
   for (std::size_t i = 0; i < 3; ++i) {
     if (applied.axis[i].acceleration.empty()) continue;
-    const double from = figures(before.axis[i]).peak_acceleration, to = figures(applied.axis[i]).peak_acceleration;
+    const double peak = figures(applied.axis[i]).peak_acceleration, factor = applied.factor[component_along(m, i)];
     char line[120];
-    std::snprintf(line, sizeof line, "  scaling along %c        PGA %.4g -> %.4g m/s2 (%.3g g), factor %.4g\n", "xyz"[i], from, to,
-                  to / cases::kStandardGravity, from > 0.0 ? to / from : 1.0);
+    std::snprintf(line, sizeof line, "  scaling along %c        PGA %.4g -> %.4g m/s2 (%.3g g), factor %.4g\n", "xyz"[i], peak / factor,
+                  peak, peak / cases::kStandardGravity, factor);
     text += line;
   }
   return text;
@@ -58,7 +54,7 @@ std::string motion_lines(const cases::Case& c, const cases::GroundMotion& applie
   }
   const std::string done = done_to_record(*c.motion, applied.factor);
   if (!done.empty()) text += "done to the record       " + done + "\n";
-  if (c.motion->intensity) text += scaling_table(c, applied);
+  if (c.motion->intensity) text += scaling_table(*c.motion, applied);
   return text;
 }
 

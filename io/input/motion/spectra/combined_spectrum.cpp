@@ -24,20 +24,24 @@ double peak_along(const std::vector<double>& u, const std::vector<double>& v, do
 
 }  // namespace
 
+OverDirections over_directions(const std::function<double(double)>& value) {
+  std::array<double, kAngles> values{};
+  for (int k = 0; k < kAngles; ++k) nth(values, k) = value(k * std::numbers::pi / kAngles);
+  std::sort(values.begin(), values.end());
+  return {0.5 * (values[kAngles / 2 - 1] + values[kAngles / 2]), values.back()};
+}
+
 CombinedDisplacement combined_displacement(const cases::Accelerogram& a, const cases::Accelerogram& b, double frequency_hz,
                                            double damping_ratio) {
   if (a.dt != b.dt) throw cases::InputError("", "the two components have different steps; allowed: the same step");
   const std::size_t samples = std::max(a.acceleration.size(), b.acceleration.size());
   const std::vector<double> u = displacement_response(a, frequency_hz, damping_ratio, samples);
   const std::vector<double> v = displacement_response(b, frequency_hz, damping_ratio, samples);
-  std::array<double, kAngles> peaks{};
-  for (int k = 0; k < kAngles; ++k) nth(peaks, k) = peak_along(u, v, k * std::numbers::pi / kAngles);
-  std::sort(peaks.begin(), peaks.end());
+  const OverDirections peaks = over_directions([&](double angle) { return peak_along(u, v, angle); });
   CombinedDisplacement out;
   out.geometric_mean =
       std::sqrt(spectral_displacement(a, frequency_hz, damping_ratio) * spectral_displacement(b, frequency_hz, damping_ratio));
-  out.rotd50 = 0.5 * (peaks[kAngles / 2 - 1] + peaks[kAngles / 2]);
-  out.rotd100 = peaks.back();
+  out.rotd50 = peaks.median, out.rotd100 = peaks.largest;
   return out;
 }
 

@@ -9,6 +9,7 @@
 #include "cases/input_error.h"
 #include "cases/names.h"
 #include "io/input/motion/spectra/figures.h"
+#include "io/input/motion/spectra/spectra.h"
 
 namespace voussoir::io {
 namespace {
@@ -26,11 +27,9 @@ double of_one(const cases::MotionIntensity& of, const cases::Accelerogram& a) {
   return w * w * spectral_displacement(a, 1.0 / *of.period, kIntensityDamping);
 }
 
-constexpr int kDirections = 180;  // of RotD50, a degree apart
-
-/// The motion along a direction, `degrees` from the first component towards the second.
-cases::Accelerogram along(int degrees, const cases::Accelerogram& a, const cases::Accelerogram& b) {
-  const double angle = degrees * std::numbers::pi / 180.0, c = std::cos(angle), s = std::sin(angle);
+/// The motion along a direction, by its angle [rad] from the first component towards the second.
+cases::Accelerogram along(double angle, const cases::Accelerogram& a, const cases::Accelerogram& b) {
+  const double c = std::cos(angle), s = std::sin(angle);
   cases::Accelerogram sum{"", a.dt, std::vector<double>(std::max(a.acceleration.size(), b.acceleration.size()))};
   for (std::size_t i = 0; i < a.acceleration.size(); ++i) sum.acceleration[i] += c * a.acceleration[i];
   for (std::size_t i = 0; i < b.acceleration.size(); ++i) sum.acceleration[i] += s * b.acceleration[i];
@@ -41,10 +40,7 @@ double rotd50(const cases::MotionIntensity& of, const cases::Accelerogram& a, co
   if (a.dt != b.dt)
     throw cases::InputError("motion.intensity.components", "\"RotD50\" needs horizontal components of one time step, not " +
                                                                cases::text(a.dt) + " and " + cases::text(b.dt) + " s");
-  std::vector<double> values;
-  for (int k = 0; k < kDirections; ++k) values.push_back(of_one(of, along(k, a, b)));
-  std::ranges::sort(values);
-  return 0.5 * (values[kDirections / 2 - 1] + values[kDirections / 2]);
+  return over_directions([&](double angle) { return of_one(of, along(angle, a, b)); }).median;
 }
 
 double checked_factor(const cases::MotionIntensity& of, double now) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,14 +18,21 @@ namespace voussoir::io {
 /// zero. \throw InputError as spectral_displacement.
 std::vector<double> displacement_response(const cases::Accelerogram& a, double frequency_hz, double damping_ratio, std::size_t samples);
 
+/// Median and largest of a value over the directions in the plane (Boore 2010, RotD50 and RotD100): at 0, 1, ... 179 degrees from the first
+/// component towards the second. The median is the mean of the 90th and the 91st value.
+struct OverDirections {
+  double median = 0.0, largest = 0.0;
+};
+/// \param value  of a direction, an angle in rad
+OverDirections over_directions(const std::function<double(double)>& value);
+
 /// Peak relative displacements [m] of two horizontal components combined.
 struct CombinedDisplacement {
   double geometric_mean = 0.0;         // of the peaks of both components; depends on the orientation of the instrument
   double rotd50 = 0.0, rotd100 = 0.0;  // median and maximum over the directions in the plane (Boore 2010)
 };
-/// RotD: the responses u, v are rotated, u cos k + v sin k for k = 0, 1, ... 179 degrees; rotd50 is the median of the 180 peaks (mean of
-/// the 90th and the 91st), rotd100 the largest, which falls short of the true maximum by at most 4e-5. The shorter component is zero after
-/// its end.
+/// RotD: over_directions of the peak of the rotated responses, u cos k + v sin k; rotd100 falls short of the true maximum by at most 4e-5.
+/// The shorter component is zero after its end.
 /// \throw InputError for different steps, and as spectral_displacement.
 CombinedDisplacement combined_displacement(const cases::Accelerogram& a, const cases::Accelerogram& b, double frequency_hz,
                                            double damping_ratio);

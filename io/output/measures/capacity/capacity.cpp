@@ -95,8 +95,8 @@ std::optional<Window> window_of(const CapacityCurve& r, double weight, std::size
   return Window{sum / moved, std::max(0.0, motion) / (weight * moved)};
 }
 
-/// The first row that has the largest value but for round-off: on a level stretch, as of blocks that slide, the very largest may stand
-/// anywhere.
+/// The first row whose value is the largest of the curve but for round-off. Where the curve is level, as while blocks slide, round-off
+/// alone decides which row is the very largest.
 std::size_t first_at_peak(const std::vector<double>& values) {
   const double most = *std::ranges::max_element(values), enough = most - kRoundOff * std::abs(most);
   return static_cast<std::size_t>(std::ranges::find_if(values, [=](double v) { return v >= enough; }) - values.begin());

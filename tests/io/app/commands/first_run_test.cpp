@@ -244,7 +244,8 @@ TEST_CASE("check tells of what nothing has, of motions that no record has, and o
   CHECK(says(each, {"warning: motion.intensity brings each horizontal component to the level, and as recorded one horizontal component is ",
                     " times as strong as the other; motion.intensity.components = \"larger\" keeps their ratio"}));
   CHECK(says(each, {"motion.intensity         PGA = 2 m/s2, of each horizontal component, by a factor of its own"}));
-  CHECK(says(each, {"  scaling along x        PGA ", " -> 2 m/s2 (0.204 g), factor "}));
+  CHECK(says(each, {"  scaling along x        PGA 7.811 -> 2 m/s2 (0.204 g), factor 0.2561\n"}));
+  CHECK(says(each, {"  scaling along y        PGA 0.0623 -> 2 m/s2 (0.204 g), factor 32.1\n"}));
   CHECK(says(voussoir("check " + path + " -j 1 --record bam-like --direction TLV --scale 0.5 --duration 2"),
              {"motion along x", "bam-like T"}));
   CHECK(says(

@@ -49,6 +49,7 @@ TEST_CASE("a faulty study file is refused with its key and its value") {
       {"[intensity]\nmeasure = \"Sa\"\nlevels = [1.0]\n", "intensity.period = null; allowed: a table [intensity]: "},
       {"[intensity]\nmeasure = \"PGA\"\nlevels = [2.0, 1.0, 2.0]\n", "intensity.levels = [2.0, 1.0, 2.0]"},
       {"[intensity]\nmeasure = [\"PGA\"]\nlevels = [1.0]\n", "intensity.measure = [\"PGA\"]"},
+      {"[intensity]\nmeasure = \"PGA\"\nlevels = [1.0]\ncomponents = \"rotd50\"\n", "intensity.components = \"rotd50\""},
       {"scales = [1.0]\n[intensity]\nmeasure = \"PGA\"\nlevels = [1.0]\n", "scales = [1.0]; allowed: none beside [intensity]"},
       {"set = [\"motion.intensity={level=2}\"]\n[intensity]\nmeasure = \"PGA\"\nlevels = [1.0]\n", "has no effect beside `intensity`"},
       {"set = [\"motion.intensity.level=2\"]\n[intensity]\nmeasure = \"PGA\"\nlevels = [1.0]\n", "has no effect beside `intensity`"},
@@ -113,9 +114,10 @@ TEST_CASE(
   folder.write("own.toml", "include = \"" + wall + "\"\n[motion.intensity]\nmeasure = \"Sa\"\nlevel = 3.0\nperiod = 0.2\n");
   const std::string file = folder.write("levels.toml", "cases = [\"" + wall + "\", \"own.toml\"]\n" +
                                                            "records = [\"bam-like\", \"bam-like#2\"]\nduration = 0.2\n"
-                                                           "[intensity]\nmeasure = \"PGA\"\nlevels = [1, 2.0]\n");
+                                                           "[intensity]\nmeasure = \"PGA\"\nlevels = [1, 2.0]\ncomponents = \"larger\"\n");
   REQUIRE_MESSAGE(study(folder, file) == 0, text_of(folder.path("log")));
   const std::string table = folder.path("study/table.csv");
+  CHECK(text_of(folder.path("study/runs/wall-bam-like-PGA_1/case.toml")).find("components = \"larger\"") != std::string::npos);
   using Values = std::vector<std::string>;
   CHECK(column(table, "run") == Values{"wall-bam-like-PGA_1", "wall-bam-like-PGA_2", "wall-bam-like_2-PGA_1", "wall-bam-like_2-PGA_2",
                                        "own-bam-like-PGA_1", "own-bam-like-PGA_2", "own-bam-like_2-PGA_1", "own-bam-like_2-PGA_2"});

@@ -13,6 +13,7 @@
 #include "io/input/case_file/case_file.h"
 #include "io/input/motion/motion_files.h"
 #include "io/input/motion/spectra/figures.h"
+#include "io/input/motion/spectra/spectra.h"
 #include "io/input/motion/synthetic/bam_like.h"
 
 using namespace voussoir;
@@ -78,6 +79,9 @@ TEST_CASE("motion intensity: RotD50 of two equal components against its closed f
     const cases::MotionIntensity both{m, 1.0, 0.3, cases::IntensityOf::rotd50};
     CHECK(io::intensity(both, ltv[1], back) == doctest::Approx(io::intensity(both, ltv[0], ltv[1])).epsilon(1e-12));
   }
+  const double w = 2.0 * std::numbers::pi / 0.3;  // of spectra the same as voussoir motion --combine has
+  CHECK(io::intensity({cases::IntensityMeasure::sa, 1.0, 0.3, cases::IntensityOf::rotd50}, ltv[0], ltv[1]) ==
+        doctest::Approx(w * w * io::combined_displacement(ltv[0], ltv[1], 1.0 / 0.3, io::kIntensityDamping).rotd50).epsilon(1e-12));
   cases::Accelerogram other = a;
   other.dt = 0.02;
   CHECK_THROWS_WITH(io::intensity(of, a, other), doctest::Contains("needs horizontal components of one time step, not 0.01 and 0.02 s"));
