@@ -3,6 +3,7 @@
 #include "solver/analysis/main_modes.h"
 
 #include "cases/case.h"
+#include "geometry/nth.h"
 #include "solver/setup/setup.h"
 
 namespace voussoir::solver {
@@ -33,7 +34,7 @@ std::array<MainMode, 2> main_modes_of_all(const cases::Case& c, const cases::Mod
     const std::vector<Mode> modes = modes_along(*world, axis, 1, dry);
     if (modes.empty()) continue;
     const double share = axis == 0 ? modes.front().mass_share.x : modes.front().mass_share.y;
-    if (share >= kLeastMassShare) found[static_cast<std::size_t>(axis)] = {0, modes.front().frequency, share};
+    if (share >= kLeastMassShare) nth(found, axis) = {0, modes.front().frequency, share};
   }
   return found;
 }

@@ -222,7 +222,7 @@ class Krylov {
   }
   [[nodiscard]] Eigen::VectorXd vector(const Eigen::VectorXd& in_basis) const {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(basis_.front().size());
-    for (Eigen::Index i = 0; i < in_basis.size(); ++i) sum += in_basis(i) * basis_[static_cast<std::size_t>(i)];
+    for (Eigen::Index i = 0; i < in_basis.size(); ++i) sum += in_basis(i) * nth(basis_, i);
     return sum;
   }
 

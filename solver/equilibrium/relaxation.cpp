@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/nth.h"
 #include "solver/equilibrium/masses.h"
 
 namespace voussoir::solver {
@@ -82,7 +83,7 @@ Relaxation::Sums Relaxation::all_of(World& w, Vec3 acceleration, const Lead& lea
         sum.power += own.power, sum.square += own.square, sum.kinetic += own.kinetic, sum.turning += own.turning;
         sum.most = std::max(sum.most, own.most);
       }
-      by_batch_[static_cast<std::size_t>(batch)] = sum;
+      nth(by_batch_, batch) = sum;
     }
   });
   Sums all;
