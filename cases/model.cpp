@@ -48,14 +48,14 @@ void check_law(const std::string& name, const JointLaw& value) {
 }
 
 void name_materials_and_laws(const Case& c, Model& model, Faults& faults) {
-  for (const auto& [name, value] : c.materials) {
-    faults.attempt([&] { check_material(name, value); });
-    model.materials.push_back({name, value});
+  for (const auto& named : c.materials) {
+    faults.attempt([&] { check_material(named.first, named.second); });
+    model.materials.push_back({named.first, named.second});
   }
   model.laws.push_back({"dry", {}});
-  for (const auto& [name, value] : c.joint_laws) {
-    faults.attempt([&] { check_law(name, value); });
-    model.laws.push_back({name, value});
+  for (const auto& named : c.joint_laws) {
+    faults.attempt([&] { check_law(named.first, named.second); });
+    model.laws.push_back({named.first, named.second});
   }
 }
 

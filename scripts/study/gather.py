@@ -19,7 +19,7 @@ import h5py
 FIRST = ("collapsed", "damage_grade", "fallen_mass_fraction", "first_crack_time", "first_fallen_time", "first_fallen_wall", "peak_drift",
          "residual_drift", "first_tension", "first_shear", "first_compression", "tension", "shear", "compression", "slipped",
          "peak_base_shear", "peak_speed")
-NOT_RESULTS = ("finished", "grade_time", "walls", "points", "capacity")
+NOT_RESULTS = ("finished", "grade_time", "walls", "points", "capacity", "chance")
 STRENGTH = ("intensity", "level")  # of the place in a study with [intensity] alone
 COSTS = ("starts", "wall_clock", "core_hours")
 
@@ -33,6 +33,8 @@ def flat(summary):
         out |= {f"{wall['name']}: {name}": value for name, value in wall.items() if name != "name"}
     out |= {f"{point['name']}: peak_acceleration": point["peak_acceleration"] for point in summary.get("points", [])}
     out |= {f"capacity: {name}": "; ".join(value) if isinstance(value, list) else value for name, value in summary.get("capacity", {}).items()}
+    if summary.get("chance"):
+        out["chaotic_from"] = summary["chance"]["from"]
     return {name: "" if value is None else value for name, value in out.items()}
 
 

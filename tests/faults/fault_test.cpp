@@ -1,28 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include <doctest/doctest.h>
-#include <fcntl.h>
-#include <signal.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 
-#include <chrono>
 #include <random>
-#include <sstream>
-#include <thread>
 
-#include "io/output/results/checkpoints.h"
-#include "io/output/results/comparison.h"
-#include "tests/io/temp_folder.h"
+#include "tests/faults/bench.h"
 
 // What happens to runs in the world: kills, full disks, damaged files, people in a hurry. A quick selection; the long campaign is the
 // script beside this file.
 
+namespace voussoir::testing {
 namespace {
-
-using namespace voussoir;
-namespace fs = std::filesystem;
 
 // Under a limit on the size of files whatever is built with TSan and libomp ends in a bus error, one parallel loop too.
 #ifdef __has_feature
@@ -30,114 +18,6 @@ constexpr bool kThreadSanitizer = __has_feature(thread_sanitizer);
 #else
 constexpr bool kThreadSanitizer = false;
 #endif
-
-/// The program in a process of its own.
-class Process {
- public:
-  /// \param file_limit  bytes that a file may have, 0: no limit \param user  to become, 0: oneself
-  Process(const std::vector<std::string>& words, const std::string& log, rlim_t file_limit = 0, uid_t user = 0) : log_(log) {
-    pid_ = ::fork();
-    REQUIRE(pid_ >= 0);
-    if (pid_ > 0) return;
-    // Not by stdio, which would write what the tests have said so far a second time.
-    const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-    ::dup2(file, 1);
-    ::dup2(file, 2);
-    const rlimit limit{file_limit, file_limit};
-    if (file_limit > 0) ::setrlimit(RLIMIT_FSIZE, &limit);
-    if (user > 0 && ::setuid(user) != 0) ::_exit(99);
-    std::vector<char*> argv{const_cast<char*>(VOUSSOIR_PROGRAM)};
-    for (const std::string& w : words) argv.push_back(const_cast<char*>(w.c_str()));
-    argv.push_back(nullptr);
-    ::execv(argv[0], argv.data());
-    ::_exit(98);
-  }
-  Process(const Process&) = delete;
-  Process& operator=(const Process&) = delete;
-  ~Process() {
-    if (pid_ > 0) signal(SIGKILL), wait();
-  }
-
-  void signal(int number) const { ::kill(pid_, number); }
-  /// Exit code; 1000 and the signal that ended it.
-  int wait() {
-    int status = 0;
-    ::waitpid(pid_, &status, 0);
-    pid_ = -1;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
-  }
-  [[nodiscard]] std::string text() const {
-    std::ostringstream t;
-    t << std::ifstream(log_).rdbuf();
-    return t.str();
-  }
-
- private:
-  std::string log_;
-  pid_t pid_ = -1;
-};
-
-/// A folder with the case, and what is done in it.
-struct Bench {
-  TempFolder folder;
-  Bench() {
-    for (const char* name : {"wall.toml", "y.csv"})
-      fs::copy_file(VOUSSOIR_SOURCE_DIR "/tests/faults/data/" + std::string(name), path(name));
-  }
-
-  [[nodiscard]] std::string path(const std::string& name) const { return folder.path(name); }
-  [[nodiscard]] std::vector<std::string> run_words(const std::string& out, std::vector<std::string> more = {}) const {
-    std::vector<std::string> w{"run", path("wall.toml"), "--quiet", "-j", "1", "-o", path(out)};
-    w.insert(w.end(), more.begin(), more.end());
-    return w;
-  }
-  [[nodiscard]] std::vector<std::string> resume_words(const std::string& out, std::vector<std::string> more = {}) const {
-    std::vector<std::string> w{"resume", path(out), "--quiet"};
-    w.insert(w.end(), more.begin(), more.end());
-    return w;
-  }
-  int run(const std::string& out, std::vector<std::string> more = {}) { return finish(run_words(out, std::move(more))); }
-  int resume(const std::string& out, std::vector<std::string> more = {}) { return finish(resume_words(out, std::move(more))); }
-  int finish(const std::vector<std::string>& words) {
-    Process p(words, path("log"));
-    const int code = p.wait();
-    text = p.text();
-    return code;
-  }
-  /// Runs, and stops with a signal once it shakes.
-  void stop_early(const std::string& out, std::vector<std::string> more = {}) {
-    more.insert(more.end(), {"--checkpoint-simulated", "0.1"});
-    Process p(run_words(out, std::move(more)), path("log"));
-    wait_for(out, 2);
-    p.signal(SIGTERM);
-    CHECK(p.wait() == 143);
-  }
-  /// Until a run has that many checkpoints, or ten seconds.
-  void wait_for(const std::string& out, std::size_t checkpoints) const {
-    for (int i = 0; i < 1000; ++i) {
-      if (fs::is_directory(path(out)) && io::checkpoint_files(path(out)).size() >= checkpoints) return;
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-  }
-  /// Until a newer checkpoint than that, or ten seconds.
-  void wait_for_another(const std::string& out, const std::string& newest) const {
-    for (int i = 0; i < 2000 && io::checkpoint_files(path(out)).front() == newest; ++i)
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  [[nodiscard]] bool says(const std::string& part) const {
-    if (text.find(part) != std::string::npos) return true;
-    MESSAGE("missing '" << part << "' in: " << text);
-    return false;
-  }
-  void check_same(const std::string& a, const std::string& b) const {
-    const io::Comparison c = io::compare_files(path(a + "/run.h5"), path(b + "/run.h5"));
-    if (c.first) MESSAGE("first difference: " << c.first->dataset << " " << c.first->what);
-    CHECK(c.datasets > 60);
-    CHECK(c.differing == 0);
-  }
-
-  std::string text;  // of the last process
-};
 
 void truncate(const std::string& path, double share) {
   fs::resize_file(path, static_cast<std::uintmax_t>(static_cast<double>(fs::file_size(path)) * share));
@@ -202,33 +82,6 @@ TEST_CASE("SIGTERM, SIGINT and SIGUSR1 save; input files may be gone; threads ma
   CHECK(bench.says("is finished"));
 }
 
-TEST_CASE("--until goes on to where a longer run would have come") {
-  Bench bench;
-  REQUIRE(bench.run("long", {"--duration", "0.45"}) == 0);
-  REQUIRE(bench.run("short", {"--duration", "0.2037"}) == 0);
-  CHECK(bench.resume("short", {"--until", "0.1"}) == 2);
-  CHECK(bench.says("--until"));
-  for (const char* never : {"inf", "nan", "1e300"}) CHECK(bench.resume("short", {"--until", never}) == 2);
-  CHECK(bench.resume("short", {"--until", "0.45"}) == 0);
-  bench.check_same("long", "short");
-}
-
-TEST_CASE("a resume sent further and killed before its first checkpoint is gone on with to the later end") {
-  Bench bench;
-  REQUIRE(bench.run("long", {"--duration", "0.45"}) == 0);
-  REQUIRE(bench.run("short", {"--duration", "0.2037"}) == 0);
-  const std::string saved = io::checkpoint_files(bench.path("short")).front(), kept = bench.path("kept.h5");
-  fs::copy_file(saved, kept);
-  {
-    Process p(bench.resume_words("short", {"--until", "0.45"}), bench.path("log"));
-    bench.wait_for_another("short", saved);  // and is killed
-  }
-  for (const std::string& path : io::checkpoint_files(bench.path("short"))) fs::remove(path);
-  fs::rename(kept, saved);
-  CHECK(bench.resume("short") == 0);
-  bench.check_same("long", "short");
-}
-
 TEST_CASE("a damaged checkpoint pushes none out that is whole") {
   Bench bench;
   REQUIRE(bench.run("straight") == 0);
@@ -246,21 +99,6 @@ TEST_CASE("a damaged checkpoint pushes none out that is whole") {
   flip_bit(newest, fs::file_size(newest) / 2);
   CHECK(bench.resume("out") == 0);
   bench.check_same("straight", "out");
-}
-
-TEST_CASE("a run that its collapse has ended is finished, and --until goes on to where it would have come without") {
-  Bench bench;
-  REQUIRE(bench.run("whole") == 0);
-  bench.stop_early("stopped", {"--set", "time.after_collapse=0.05"});
-  CHECK(bench.resume("stopped", {"--until", "1.0"}) == 2);  // nothing has collapsed yet: its end is its duration
-  CHECK(bench.says("allowed: more than 1.4"));
-  REQUIRE(bench.run("cut", {"--set", "time.after_collapse=0.05"}) == 0);
-  CHECK(bench.resume("cut") == 0);
-  CHECK(bench.says("cut is finished, to 0."));
-  CHECK(bench.resume("cut", {"--until", "0.3"}) == 2);
-  CHECK(bench.says("allowed: more than 0."));
-  CHECK(bench.resume("cut", {"--until", "1.4"}) == 0);
-  bench.check_same("whole", "cut");
 }
 
 TEST_CASE("a damaged checkpoint gives way to the older one with a warning; two damaged ones to a clear error") {
@@ -398,3 +236,5 @@ TEST_CASE("run --verify finds equal bits, and writes no results") {
   CHECK(bench.says("the same bits"));
   CHECK_FALSE(fs::exists(bench.path("out")));
 }
+
+}  // namespace voussoir::testing

@@ -278,7 +278,7 @@ Command add_motion(CLI::App& program) {
   words
       ->add_option(
           "--intensity", w->o.periods,
-          "print the measures of motion.intensity, too, of both horizontal components together: PGA, PGV, and Sa at these periods, s")
+          "print the measures of motion.intensity, too: PGA, PGV, and Sa at these periods, s; of each horizontal component and of both together")
       ->check(number_range(0.01, 20.0))
       ->allow_extra_args(false)
       ->delimiter(',');

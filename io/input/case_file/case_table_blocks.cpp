@@ -128,11 +128,10 @@ Table<MotionIntensity> intensity_table() {
                                                                   {"geometric mean", IntensityOf::geometric_mean},
                                                                   {"RotD50", IntensityOf::rotd50},
                                                                   {"larger", IntensityOf::larger}},
-                 "the value that reaches the level: that of each of the two horizontal components, by a factor of its own, the vertical "
-                 "one by the "
-                 "geometric mean of both factors (as design codes take a pair, which has one spectrum in both directions); or one value of "
-                 "both, by one "
-                 "factor for all three: their geometric mean, the median over all horizontal directions, or the larger one")},
+                 "what is brought to the level. each: both horizontal components, each by a factor of its own, and the vertical one by the "
+                 "geometric mean of these factors; design codes prescribe one spectrum for both. The others use one factor for all three "
+                 "components, and bring to the level the geometric mean of the two horizontal values, the median over all horizontal "
+                 "directions, or the larger value")},
       [](const S& s, const RuleCheck& check) {
         const bool sa = s.measure == IntensityMeasure::sa;
         if (sa && !s.period) check.fault("measure", "needs motion.intensity.period, in s");
