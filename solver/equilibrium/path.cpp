@@ -23,6 +23,7 @@ constexpr double kFew = 5e-4;                                // of all bonds: so
 constexpr double kMuch = 2e-3;                               // of all bonds: so many that break at once and the increment is halved
 constexpr double kOfLoad = 10.0, kStrictest = 0.1;           // of the tolerance at a load factor of 1 in each; at least
 constexpr double kLeast = 0.1;                               // of the first increment
+constexpr double kSlower = 2.0, kFaster = 0.7, kSlowest = 64;  // of ramps, where the load factor goes beyond both of its points, and else
 
 }  // namespace
 
@@ -33,8 +34,9 @@ double Path::pull() const noexcept {
   return state_.increment / state_.ramp * (1.0 - std::cos(2.0 * std::numbers::pi * (state_.ramp_left - 0.5) / state_.ramp));
 }
 
-void Path::iterated() noexcept {
+void Path::iterated(double factor) noexcept {
   state_.clock += pull();
+  state_.highest = std::max(state_.highest, std::abs(factor));
   state_.ramp_left = std::max(0.0, state_.ramp_left - 1.0);
   state_.iterations += 1.0;
 }
@@ -51,7 +53,9 @@ void Path::accept(const RestPoint& p, double period, double open) {
   const auto broken = static_cast<double>(p.broken), slipped = static_cast<double>(p.slipped), bonds = static_cast<double>(p.bonds);
   const double breaks = broken - state_.broken, slips = std::max(0.0, slipped - state_.slipped),
                change = std::abs(p.factor - state_.factor);
+  const double overshoot = state_.highest - std::max(std::abs(p.factor), std::abs(state_.factor));
   state_.most_factor = std::max(state_.most_factor, std::abs(p.factor));
+  state_.slower = std::clamp(state_.slower * (overshoot > step_ * state_.most_factor ? kSlower : kFaster), 1.0, kSlowest);
   double next = state_.increment;
   if (state_.points == 0.0) {
     next = state_.first;
@@ -70,9 +74,10 @@ void Path::accept(const RestPoint& p, double period, double open) {
   // So that what speeds up the masses is small against a step of the load factor.
   const double bearable = state_.points > 0.0 && state_.most_factor > 0.0 ? kInertia * step_ * state_.most_factor : kFirstInertia;
   const double slow = std::sqrt(2.0 * std::numbers::pi * open * state_.increment * state_.inertia / bearable);
-  state_.ramp = std::round(std::clamp(std::max(kRampPeriods * open * period, slow), kShortestRamp, kLongestRamp));
+  const double ramp = std::clamp(std::max(kRampPeriods * open * period, slow), kShortestRamp, kLongestRamp);
+  state_.ramp = std::round(std::min(state_.slower * ramp, kLongestRamp));
   state_.ramp_left = state_.ramp;
-  state_.iterations = 0.0;
+  state_.iterations = 0.0, state_.highest = 0.0;
   state_.factor = p.factor, state_.broken = broken, state_.slipped = slipped;
   state_.points += 1.0;
 }

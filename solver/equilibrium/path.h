@@ -31,8 +31,8 @@ class Path {
 
   /// Way of the moving end in the next iteration, 0 while the structure relaxes.
   [[nodiscard]] double pull() const noexcept;
-  /// After an iteration.
-  void iterated() noexcept;
+  /// After an iteration. \param factor  load factor in it
+  void iterated(double factor) noexcept;
   [[nodiscard]] bool rests(double unbalanced) const noexcept;
   /// Whether there is no state of rest within reach.
   [[nodiscard]] bool is_lost() const noexcept;
@@ -57,6 +57,8 @@ class Path {
     double points = 0.0;                 // accepted
     double clock = 0.0;
     double factor = 0.0, most_factor = 0.0, broken = 0.0, slipped = 0.0;  // at the last point; largest so far
+    double highest = 0.0;                // load factor, without its sign, on the way to the point ahead
+    double slower = 1.0;                 // times as long as a ramp would be
   };
 
   double tolerance_ = 0.0, step_ = 0.0;

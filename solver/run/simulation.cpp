@@ -169,7 +169,7 @@ void Simulation::relax() {
   const Vec3 gravity = gravity_at(static_cast<double>(step_) * world_->dt);
   lead_.step(path_.pull());  // 0 while settling
   relaxation_.look(*world_, phase_ == Phase::settling ? gravity : gravity + program_.acceleration(), path_.pull() > 0.0, lead_);
-  if (phase_ == Phase::shaking) path_.iterated();
+  if (phase_ == Phase::shaking) path_.iterated(program_.factor());
 }
 
 void Simulation::accept_rest() {
