@@ -22,7 +22,7 @@ enum class Solver : std::uint8_t { dynamics, equilibrium };
 /// Table [analysis]. A time history uses `kind` only.
 struct Analysis {
   AnalysisKind kind = AnalysisKind::time_history;
-  Solver solver = Solver::dynamics;
+  std::optional<Solver> solver;  // of a quasi-static analysis; none: equilibrium, but dynamics where `pace` or `damping` is given
   LoadPattern pattern = LoadPattern::mass;
   std::array<double, 2> direction{1.0, 0.0};  // horizontal, x and y; any length
   std::optional<Vec3> control;                // m; the nearest element is the control point of the capacity curve; none: one on top
@@ -45,6 +45,9 @@ struct Analysis {
 inline bool is_assessment(const Analysis& a) noexcept { return a.kind != AnalysisKind::time_history; }
 
 /// Whether each row of the run is a state of rest.
-inline bool finds_rest(const Analysis& a) noexcept { return is_assessment(a) && a.solver == Solver::equilibrium; }
+inline bool finds_rest(const Analysis& a) noexcept {
+  const Solver unless_said = a.pace || a.damping ? Solver::dynamics : Solver::equilibrium;
+  return is_assessment(a) && a.solver.value_or(unless_said) == Solver::equilibrium;
+}
 
 }  // namespace voussoir::cases

@@ -160,7 +160,7 @@ def load_slowly(rng, case):
     """Some small models have a capacity, too."""
     if not case.house and len(case.blocks) <= 8 and rng.random() < 0.3:
         angle = rng.uniform(0.0, 2.0 * math.pi)
-        case.capacity = {"kind": rng.choice(["pushover", "tilt"]), "direction": [math.cos(angle), math.sin(angle)], "pace": 0.1, "longest": 1.0}
+        case.capacity = {"kind": rng.choice(["pushover", "tilt"]), "direction": [math.cos(angle), math.sin(angle)]}
 
 
 def on_raster(case):

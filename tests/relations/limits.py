@@ -8,8 +8,7 @@ PROGRAMME = 2e-6  # the program proves a multiplier to 1e-6
 MODES = 2e-5  # six digits are printed
 DYNAMIC = 1e-6  # a thousand steps, each with the round-off of its sums, and contacts that open and close
 PAGE = 1e-4  # a page has fewer digits
-SLOW = 1e-4  # ten thousand steps
-JUMP = 0.1  # peaks of a capacity curve behind a jump of blocks
+REST = 1e-3  # what the tolerance of states of rest leaves open
 ONE = 0.5  # counts: the same
 # Of numbers by the beginning of their names; the first that fits.
 TABLE = {"check": (("", STATIC),),
@@ -20,7 +19,7 @@ TABLE = {"check": (("", STATIC),),
          "summary": (("", DYNAMIC),),
          "assess": (("", DYNAMIC),),
          "report": (("place", SINGLE), ("", PAGE)),
-         "capacity": (("after a jump", JUMP), ("", SLOW))}
+         "capacity": (("", REST),)}
 COUNTS = ("elements", "joints", "base_joints", "faults", "storeys", "damage", "cracks", "summary: collapsed", "summary: settled", "summary: damage_grade",
           "summary: deep_pairs", "summary: touching_pairs", "collapsed", "settled", "tension", "shear", "compression", "slipped", "damage_grade")
 

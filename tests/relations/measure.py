@@ -187,17 +187,12 @@ def of_summary(f):
     return out
 
 
-CAPACITY = {"multiplier": ONE, "multiplier_at_rest": ONE, "peak_shear": FORCE, "peak_displacement": LENGTH, "first_stiffness": STIFFNESS}
-
-
-BLOCKS_FLY = 0.01  # kinetic energy, of the work: the peak comes after a jump of blocks, and the program says that it depends on the rate
+CAPACITY = {"multiplier": ONE, "peak_shear": FORCE, "first_stiffness": STIFFNESS}  # a peak may be level, so it has no place
 
 
 def of_capacity(f):
     a = f["capacity"].attrs
-    after_jump = not a["slow"] and a["kinetic_share"] > BLOCKS_FLY
-    return {("after a jump: " if after_jump and k != "first_stiffness" else "capacity: ") + k: Value(numpy.array(float(a[k])), SCALAR, d)
-            for k, d in CAPACITY.items() if k in a and numpy.isfinite(a[k])}
+    return {f"capacity: {k}": Value(numpy.array(float(a[k])), SCALAR, d) for k, d in CAPACITY.items() if k in a and numpy.isfinite(a[k])}
 
 
 def assess(voussoir, case, path, more):

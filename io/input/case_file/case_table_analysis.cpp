@@ -37,7 +37,7 @@ void check_own_keys(const Analysis& s, const RuleCheck& check) {
   only("damping", s.damping.has_value(), slow, any_slow);
   only("longest", s.longest != plain.longest, slow, any_slow);
   const bool at_rest = finds_rest(s);
-  only("solver", s.solver != plain.solver, slow, any_slow);
+  only("solver", s.solver == Solver::equilibrium, slow, any_slow);
   only("tolerance", s.tolerance != plain.tolerance, at_rest, "solver = \"equilibrium\"");
   only("path_step", s.path_step != plain.path_step, at_rest, "solver = \"equilibrium\"");
   only("pace", s.pace.has_value() && at_rest, false, "solver = \"dynamics\": states of rest have no rate");
@@ -63,10 +63,10 @@ Table<Analysis> analysis_table() {
            "time-history: [motion] shakes; pushover: lateral forces grow; tilt: gravity turns; settlement: supports move by their "
            "[block.motion] or that of a [[base.part]]; cyclic: the loads that grow push to and fro. All but the first go slowly and leave "
            "[motion] out"),
-       choice<S, Solver S::*, Solver>(
+       choice<S, std::optional<Solver> S::*, Solver>(
            "solver", &S::solver, "", {{"dynamics", Solver::dynamics}, {"equilibrium", Solver::equilibrium}},
-           "dynamics: the structure moves slowly, so the result depends a little on the pace; equilibrium: each row is a state of rest, "
-           "found by relaxation"),
+           "of all kinds but time-history. equilibrium: each row is a state of rest, found by relaxation; dynamics: the structure moves "
+           "slowly, so the result depends on the pace; none: equilibrium, but dynamics where pace or damping is given"),
        choice<S, LoadPattern S::*, LoadPattern>(
            "pattern", &S::pattern, "", {{"mass", LoadPattern::mass}, {"mode", LoadPattern::mode}, {"given", LoadPattern::given}},
            "pushover: forces as the masses, as the masses times the mode with most mass in `direction`, or the [[load]]s that grow"),
@@ -115,7 +115,7 @@ bool a_support_moves(const Case& c) {
 
 /// States of rest know of no time, and neither may what acts on them.
 void check_time(const Case& c, const RuleCheck& check) {
-  const char* why = "has no meaning with analysis.solver = \"equilibrium\", which has no time";
+  const char* why = "has no meaning with analysis.solver = \"equilibrium\", which has no time; solver = \"dynamics\" has";
   for (std::size_t i = 0; i < c.loads.size(); ++i) {
     if (c.loads[i].history) check.fault(path_to("load", i) + ".history", why);
     if (c.loads[i].ramp != Load{}.ramp) check.fault(path_to("load", i) + ".ramp", why);

@@ -28,7 +28,7 @@ constexpr double kGravity = 9.8;
 cases::Case pier(int elements, cases::LoadPattern pattern) {
   cases::Case c = testing::stack_of_blocks(elements, {kWide, kThin, kHigh});
   c.gravity.acceleration = {0.0, 0.0, -kGravity};
-  c.analysis.kind = cases::AnalysisKind::pushover;
+  c.analysis.kind = cases::AnalysisKind::pushover, c.analysis.solver = cases::Solver::dynamics;
   c.analysis.pattern = pattern;
   c.analysis.direction = {1.0, 0.0};
   return c;

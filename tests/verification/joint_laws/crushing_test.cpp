@@ -58,7 +58,7 @@ TEST_CASE("V18: a block is pushed over on a toe that crushes") {
   c.motion.reset();
   c.base->tilt = {0.0, 0.0};
   c.gravity.acceleration = {0.0, 0.0, -kGravity};
-  c.analysis.kind = cases::AnalysisKind::pushover;
+  c.analysis.kind = cases::AnalysisKind::pushover, c.analysis.solver = cases::Solver::dynamics;
   c.analysis.direction = {1.0, 0.0};
   c.analysis.drop = 0.05;
   c.contact.compression = 3.2 * weight;

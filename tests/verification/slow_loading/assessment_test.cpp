@@ -17,7 +17,7 @@ constexpr double kWithin = 1e-2;
 constexpr double kShortestPace = 2.0;  // s
 
 cases::Case analysed(cases::Case c, AnalysisKind kind, double x, double y) {
-  c.analysis.kind = kind;
+  c.analysis.kind = kind, c.analysis.solver = cases::Solver::dynamics;
   c.analysis.direction = {x, y};
   c.motion.reset();
   if (c.base) c.base->tilt = {0.0, 0.0};
@@ -181,7 +181,7 @@ TEST_CASE("V15: a buttressed vault" * doctest::skip()) {
 
 TEST_CASE("V15: supports of an arch part slowly until it falls" * doctest::skip()) {
   cases::Case c = load("arch_spreads").value;
-  c.analysis.kind = AnalysisKind::settlement;
+  c.analysis.kind = AnalysisKind::settlement, c.analysis.solver = cases::Solver::dynamics;
   c.damping = {};
   const std::string label = "V15 settlement of an arch: movement of a support at which it falls";
   const double movement = assess(c).collapse_movement;

@@ -168,7 +168,8 @@ TEST_CASE("V15 at rest: an arch") {
 }
 
 TEST_CASE("V15 at rest: a dry wall over an opening with an arch and no lintel tilts in its plane") {
-  const cases::Case c = at_rest(load("arched_wall").value, AnalysisKind::tilt, 1.0, 0.0);
+  cases::Case c = at_rest(load("arched_wall").value, AnalysisKind::tilt, 1.0, 0.0);
+  for (auto& [name, m] : c.materials) m.young *= 10.0;  // limit analysis is of rigid blocks
   compare("a wall over an arch", c, collapse_factors(c, c.contact.friction, {1.0, 0.0, 0.0}).coulomb);
 }
 

@@ -25,6 +25,7 @@ constexpr double kLoaded = 0.25;       // of the largest load factor: the work p
 constexpr double kFirstShare = 0.15;   // of the largest base shear: its secant is the first stiffness
 constexpr double kLeastShear = 1e-3;   // of the loads: a smaller base shear counts as none, as when only moments grow
 constexpr double kRoundOff = 1e-8;     // of a largest value: a row that comes so close to it has it
+constexpr double kLeftOpen = 1e-3;     // the same of states of rest, by what their tolerance leaves open
 constexpr double kItalianShare = 0.7;  // of the largest base shear: point on the elastic branch
 
 using Values = std::vector<double>;
@@ -95,18 +96,23 @@ std::optional<Window> window_of(const CapacityCurve& r, double weight, std::size
   return Window{sum / moved, std::max(0.0, motion) / (weight * moved)};
 }
 
-/// The first row whose value is the largest of the curve but for round-off. Where the curve is level, as while blocks slide, round-off
-/// alone decides which row is the very largest.
-std::size_t first_at_peak(const std::vector<double>& values) {
-  const double most = *std::ranges::max_element(values), enough = most - kRoundOff * std::abs(most);
-  return static_cast<std::size_t>(std::ranges::find_if(values, [=](double v) { return v >= enough; }) - values.begin());
+/// A largest value, and the first row that has it but for round-off, or for what a tolerance leaves open. Where the curve is level, as while
+/// blocks slide, these alone decide which row is the very largest.
+struct Peak {
+  double value = 0.0;
+  std::size_t row = 0;
+};
+Peak peak_of(const CapacityCurve& r, const Values& values) {
+  const double most = *std::ranges::max_element(values), open = r.unbalanced.empty() ? kRoundOff : kLeftOpen;
+  const double enough = most - open * std::abs(most);
+  return {most, static_cast<std::size_t>(std::ranges::find_if(values, [=](double v) { return v >= enough; }) - values.begin())};
 }
 
 /// Finds the largest load factor borne by the structure itself, (30) of THEORY.md; of states of rest it is the largest.
 void look_at_motion(Capacity& c, double pace, double weight) {
   const CapacityCurve& r = c.curve;
-  const std::size_t peak = first_at_peak(r.factor);
-  c.multiplier = r.factor[peak];
+  const auto [most_factor, peak] = peak_of(r, r.factor);
+  c.multiplier = most_factor;
   c.least_factor = *std::ranges::min_element(r.factor);
   if (!r.unbalanced.empty()) {
     c.unbalanced = *std::ranges::max_element(r.unbalanced);
@@ -131,8 +137,8 @@ void look_at_motion(Capacity& c, double pace, double weight) {
 
 void look_at_shear(Capacity& c, double drop, double weight) {
   const CapacityCurve& r = c.curve;
-  const std::size_t peak = first_at_peak(r.base_shear);
-  c.peak_shear = r.base_shear[peak], c.peak_displacement = r.displacement[peak], c.peak_time = r.time[peak];
+  const auto [most, peak] = peak_of(r, r.base_shear);
+  c.peak_shear = most, c.peak_displacement = r.displacement[peak], c.peak_time = r.time[peak];
   if (c.peak_shear <= kLeastShear * weight * c.multiplier) return;
   c.first_stiffness = kFirstShare * c.peak_shear / crossing(r.displacement, r.base_shear, 0, peak, kFirstShare * c.peak_shear);
   const double left = (1.0 - drop) * c.peak_shear;
@@ -238,7 +244,7 @@ Values base_shear(const Hdf5File& run, const Values& time, const std::array<doub
 }
 
 /// Rows of /assessment with those of /energy and /forces at the same times, which all tables have from time zero on.
-CapacityCurve curve_of(const Hdf5File& run, const std::array<double, 2>& direction, double period, bool at_rest) {
+CapacityCurve curve_of(const Hdf5File& run, const std::array<double, 2>& direction, double period) {
   const auto of = [&](const char* name) { return run.read<double>(std::string("/assessment/") + name); };
   CapacityCurve c{of("time"),
                   of("factor"),
@@ -254,6 +260,9 @@ CapacityCurve curve_of(const Hdf5File& run, const std::array<double, 2>& directi
                   {},
                   {},
                   {}};
+  if (run.exists("/assessment/unbalanced")) c.unbalanced = of("unbalanced");
+  const bool at_rest = !c.unbalanced.empty() && !std::isnan(c.unbalanced.front());
+  if (!at_rest) c.unbalanced.clear();
   const auto time = run.read<double>("/energy/time");
   const auto column = [&](const char* name) { return run.read<double>(std::string("/energy/") + name); };
   const Values input = column("input"), kinetic = column("kinetic"), damping = column("damping"), dashpot = column("dashpot"),
@@ -267,7 +276,6 @@ CapacityCurve curve_of(const Hdf5File& run, const std::array<double, 2>& directi
     c.losses.push_back(dashpot[k] + friction[k] + fracture[k] + damping[k]);
     c.stored.push_back(kinetic[k] + strain[k] + contact[k] + gravity[k]);
   }
-  if (at_rest) c.unbalanced = of("unbalanced");
   c.base_shear = base_shear(run, c.time, direction, at_rest ? 0.0 : period);
   kept = std::min(kept, c.base_shear.size());
   const std::array columns = {&c.time, &c.factor, &c.displacement, &c.drift,   &c.moved,  &c.base_shear, &c.support_moved,
@@ -306,7 +314,7 @@ std::optional<Capacity> capacity_figures(const Hdf5File& run) {
   if (!run.exists("/assessment") || !run.has_attribute("/assessment", "pace")) return {};
   const cases::Analysis a = read_case({run.path(), run.attribute_text("/case", "toml")}).value.analysis;
   const auto drive = [&](const char* name) { return run.attribute_double("/assessment", name); };
-  CapacityCurve curve = curve_of(run, a.direction, 1.0 / drive("frequency"), cases::finds_rest(a));
+  CapacityCurve curve = curve_of(run, a.direction, 1.0 / drive("frequency"));
   if (curve.time.empty()) return {};
   Capacity c = capacity_of(a.kind, a.drop, drive("pace"), drive("weight"), drive("quiet"), std::move(curve));
   const bool collapsed = run.has_attribute("/summary", "collapsed") && run.attribute_int("/summary", "collapsed") != 0;

@@ -83,7 +83,8 @@ settle = false
 step = 4.0e-3
 [base]
 [analysis]
-kind = "pushover"
+kind   = "pushover"
+solver = "dynamics"
 [output]
 ledger_interval = 4.0e-3
 [[block]]
