@@ -109,6 +109,7 @@ struct Model {
   std::vector<NamedLaw> laws;                   // laws[0] is "dry"
   std::vector<SupportHistory> support_motions;  // of fixed blocks, then of loads
   std::vector<std::int32_t> load_history;       // by load of the case: index into support_motions; −1: none
+  std::vector<std::int32_t> load_path;          // likewise, of the places of a load that moves
   std::vector<std::vector<Stone>> stones;       // by table of the case
   geometry::Assembly assembly;                  // of all blocks, in order
   std::vector<std::int32_t> joint_law;          // by assembly joint: index into laws

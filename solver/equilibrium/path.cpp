@@ -47,6 +47,8 @@ bool Path::rests(double unbalanced) const noexcept {
   return state_.ramp_left == 0.0 && state_.iterations >= 2.0 && unbalanced <= share * tolerance_;
 }
 
+void Path::lose() noexcept { state_.iterations = kMostIterations + 1.0; }
+
 bool Path::is_lost() const noexcept { return state_.iterations > kMostIterations; }
 
 void Path::accept(const RestPoint& p, double period, double open) {

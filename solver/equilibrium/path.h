@@ -36,6 +36,8 @@ class Path {
   [[nodiscard]] bool rests(double unbalanced) const noexcept;
   /// Whether there is no state of rest within reach.
   [[nodiscard]] bool is_lost() const noexcept;
+  /// Gives up the point ahead: the structure falls.
+  void lose() noexcept;
   /// Takes a state of rest as a point of the path, and goes on to the next. \param period  iterations in a period of the slowest motion
   /// \param open  share of the motion to the next point that nothing predicts
   void accept(const RestPoint& p, double period, double open);

@@ -6,19 +6,16 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <limits>
 
 #include "cases/case.h"
 #include "cases/loads/gravity.h"
+#include "cases/loads/loaded_place.h"
 #include "cases/loads/loads.h"
 #include "cases/model.h"
 #include "cases/names.h"
-#include "geometry/polyhedron.h"
 
 namespace voussoir::solver {
 namespace {
-
-constexpr double kInside = 1e-9;  // of an element's size: a point so near to its surface lies on it
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
@@ -35,6 +32,9 @@ class Forces {
     if (load.history)
       throw cases::InputError(cases::indexed_key("load", index, "history"),
                               "does not go with limit analysis, which knows no time; allowed: force");
+    if (load.path)
+      throw cases::InputError(cases::indexed_key("load", index, "path"),
+                              "does not go with limit analysis, which knows no time; allowed: at; voussoir limit --path tries many places");
     for (const cases::LoadShare& share : cases::load_shares(model_, load, index)) {
       const std::int32_t body = contacts_.body_of[at(share.element)];
       act(body, share.point, share.part * load.force, on);
@@ -56,7 +56,7 @@ class Forces {
       if (!named(name).empty()) add(load, 0, on);
     }
     if (!live.on.empty() || !live.at) return;
-    const LoadedPlace place = place_of_load(model_, *live.at, live.direction);
+    const cases::LoadedPlace place = cases::place_of_load(model_, *live.at, live.direction);
     const std::int32_t body = place.element < 0 ? -1 : contacts_.body_of[at(place.element)];
     if (body < 0) throw cases::InputError("--at", "no block that can move lies there, or behind it along the force");
     act(body, place.at, load.force, on);
@@ -122,36 +122,6 @@ Vec3 main_direction(const cases::Case& c, const LiveLoad& live) {
   for (const cases::Load& load : c.loads)
     if (load.grows) sum += load.force;
   return norm(sum) > 0.0 ? normalised(sum) : Vec3{};
-}
-
-/// An element is convex: the line is in it between the last plane that it enters by and the first that it leaves by.
-LoadedPlace place_of_load(const cases::Model& model, Vec3 from, Vec3 direction) {
-  LoadedPlace best;
-  double nearest = std::numeric_limits<double>::infinity(), off_centre = nearest;
-  const geometry::Assembly& a = model.assembly;
-  for (std::size_t e = 0; e < a.elements.size(); ++e) {
-    double in = 0.0, out = std::numeric_limits<double>::infinity(), size = 0.0;
-    const Vec3 centre = a.elements[e].mass.centroid;
-    for (const Vec3 v : model.blocks[e].shape.vertices) size = std::max(size, norm(v - centre));
-    for (std::size_t f = 0; f < model.blocks[e].shape.faces.size(); ++f) {
-      const geometry::FacePlane plane = geometry::face_plane(model.blocks[e].shape, static_cast<int>(f));
-      const double slope = dot(plane.normal, direction), off = dot(plane.normal, from - plane.centroid);
-      if (std::abs(slope) < kInside) {
-        if (off > kInside * size) out = -1.0;
-      } else if (slope < 0.0) {
-        in = std::max(in, (off - kInside * size) / -slope);
-      } else {
-        out = std::min(out, (kInside * size - off) / slope);
-      }
-    }
-    if (in > out) continue;
-    const Vec3 where = from + in * direction;
-    const double off = norm(where - centre);
-    // Where two elements meet, that whose centre is nearer, whatever their order.
-    const bool nearer = in < nearest - kInside * size, as_near = in <= nearest + kInside * size;
-    if (nearer || (as_near && off < off_centre)) nearest = in, off_centre = off, best = {static_cast<std::int32_t>(e), where};
-  }
-  return best;
 }
 
 }  // namespace voussoir::solver

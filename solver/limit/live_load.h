@@ -46,11 +46,4 @@ LimitForces limit_forces(const cases::Case& c, const cases::Model& model, const 
 /// Direction of a corner of the friction cones: along the live load, for growing loads along their sum. Zero if the sum is zero.
 Vec3 main_direction(const cases::Case& c, const LiveLoad& live);
 
-/// Point of action of a force along `direction`: `from`, if inside an element, else on the first element that the line from there hits.
-struct LoadedPlace {
-  std::int32_t element = -1;  // −1: no element is hit
-  Vec3 at;
-};
-LoadedPlace place_of_load(const cases::Model& model, Vec3 from, Vec3 direction);
-
 }  // namespace voussoir::solver

@@ -33,7 +33,7 @@ LoadPath limit_along_path(const cases::Case& c, const cases::Model& model, const
   for (int k = 0; k < count; ++k) {
     LoadPosition p;
     p.from = point_at(corners, count > 1 ? static_cast<double>(k) / (count - 1) : 0.0);
-    p.place = place_of_load(model, p.from, options.live.direction);
+    p.place = cases::place_of_load(model, p.from, options.live.direction);
     if (p.place.element >= 0 && nth(model.blocks, p.place.element).fixed) p.place.element = -1;
     if (p.place.element >= 0) {
       LimitOptions here = options;

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "cases/case.h"
+#include "cases/loads/loads.h"
 #include "cases/model.h"
 #include "geometry/nth.h"
 #include "solver/run/loads.h"
@@ -58,18 +59,22 @@ LoadProgram::LoadProgram(const cases::Case& c, World& w) : analysis_(c.analysis)
   Elements& e = w.elements;
   gravity_ = norm(c.gravity.acceleration);
   down_ = gravity_ > 0.0 ? (1.0 / gravity_) * c.gravity.acceleration : Vec3{0.0, 0.0, -1.0};
-  across_ = {analysis_.direction[0], analysis_.direction[1], 0.0};
+  across_ = cases::push_direction(c);
+  const bool vertical = across_.z != 0.0;
   if (analysis_.kind == AnalysisKind::tilt) across_ = across_ - dot(across_, down_) * down_;
   across_ = (1.0 / norm(across_)) * across_;
   for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) mass_ += e.fixed[i] ? 0.0 : e.mass[i];
-  control_ = analysis_.control ? cases::nearest_element(w.model, *analysis_.control) : top_element(w);
+  const auto pushed = std::ranges::find_if(w.loads, &PointLoad::grows);
+  control_ = analysis_.control                       ? cases::nearest_element(w.model, *analysis_.control)
+             : vertical && pushed != w.loads.end() ? pushed->element
+                                                     : top_element(w);
   height_ = std::max(kLeastHeight, nth(e.body, control_).ref.z - nth(e.body, e.base).ref.z);
   for (const Support& s : w.supports)
     last_support_ = std::max(last_support_, s.history->open_ended ? std::numeric_limits<double>::infinity() : s.history->time.back());
   if (analysis_.kind == AnalysisKind::pushover && analysis_.pattern == LoadPattern::mode)
     shape_.assign(static_cast<std::size_t>(e.count), {});
-  moments_ = std::ranges::any_of(w.loads, &PointLoad::grows) &&
-             std::ranges::none_of(w.loads, [](const PointLoad& l) { return l.grows && l.force != Vec3{}; });
+  no_shear_ = vertical || (pushed != w.loads.end() &&
+                           std::ranges::none_of(w.loads, [](const PointLoad& l) { return l.grows && l.force != Vec3{}; }));
   if (!analysis_.level) return;
   for (const PointLoad& l : w.loads) {
     if (!l.grows) continue;
@@ -149,7 +154,7 @@ bool LoadProgram::is_over(const World& w) const {
   const double left = 1.0 - analysis_.drop;
   // Whether all loads so far are within what the tolerance of states of rest leaves open.
   const auto is_noise = [&] {
-    if (!cases::finds_rest(analysis_) || moments_) return false;
+    if (!cases::finds_rest(analysis_) || no_shear_) return false;
     const double most = analysis_.kind == AnalysisKind::tilt ? state_.most_factor : state_.most_shear / (mass_ * gravity_);
     return most < kNoise * analysis_.tolerance;
   };
@@ -159,7 +164,7 @@ bool LoadProgram::is_over(const World& w) const {
       // A jolt lowers one of them for a moment, but not the means of both over a first period; and while loads are small, vibrations that
       // settling has left are not.
       const bool softer =
-          analysis_.kind == AnalysisKind::tilt || moments_
+          analysis_.kind == AnalysisKind::tilt || no_shear_
               ? state_.mean_factor < left * state_.most_factor
               : state_.mean_factor < (1.0 - 0.5 * analysis_.drop) * state_.most_factor && state_.shear < left * state_.most_shear;
       const bool dropped = softer && state_.target > drive_.first && !is_noise();

@@ -102,7 +102,7 @@ class LoadProgram {
   double last_support_ = 0.0;  // s, end of the histories of supports; infinity: one has no end
   std::int32_t control_ = 0;   // element
   double height_ = 1.0;        // m, height of the control element above the base
-  bool moments_ = false;       // only moments grow: there is no push along a direction
+  bool no_shear_ = false;      // only moments or vertical loads grow: base shear says nothing of them
   Drive drive_;
   std::vector<Vec3> shape_;
   double pull_ = 0.0;  // m

@@ -164,29 +164,6 @@ void Simulation::apply_loads() {
   solver::apply_loads(w, ledger_, load_before_, step_, shaking ? static_cast<double>(step_) * w.dt : 0.0, program_.factor());
 }
 
-/// Adds the weights, measures how far the structure is from rest, and goes on along the path.
-void Simulation::relax() {
-  const Vec3 gravity = gravity_at(static_cast<double>(step_) * world_->dt);
-  lead_.step(path_.pull());  // 0 while settling
-  relaxation_.look(*world_, phase_ == Phase::settling ? gravity : gravity + program_.acceleration(), path_.pull() > 0.0, lead_);
-  if (phase_ == Phase::shaking) path_.iterated(program_.factor());
-}
-
-void Simulation::accept_rest() {
-  const World& w = *world_;
-  const double sense = program_.sense();
-  program_.rest_at(w, -dot(forces_.base_shear, program_.across()), step_);
-  lead_.accept(w, program_.sense() == sense ? path_.increment() : 0.0);
-  RestPoint p{.factor = program_.factor(), .done = program_.way(), .left = program_.way_left()};
-  if (!w.supports.empty() && program_.analysis().kind == cases::AnalysisKind::settlement) {
-    p.done = path_.clock(), p.left = program_.last_support() - path_.clock();
-    if (p.left <= 0.0) program_.end_at(step_);
-  }
-  p.broken = damage_.tension + damage_.shear + damage_.compression, p.slipped = damage_.slipped;
-  for (const std::int32_t bonds : w.elements.bonds_at_start) p.bonds += bonds;
-  path_.accept(p, 2.0 * std::numbers::pi / std::max(relaxation_.frequency() * w.dt, 1e-6), lead_.open());
-}
-
 /// Of the largest speed [m2/s2]. \throw NumericalError
 double Simulation::fastest_square() {
   const Elements& e = world_->elements;
@@ -206,10 +183,18 @@ double Simulation::fastest_square() {
     return v2;
   });
   if (most < kFastest * kFastest) return most;
+  if (relaxation_.on() && phase_ == Phase::shaking) {  // what falls has no state of rest
+    path_.lose();
+    return 0.0;
+  }
   for (std::int32_t i = 0; i < e.count; ++i) {
     if (sound(i)) continue;
     const auto k = static_cast<std::size_t>(i);
     const auto [v2, w2] = squares(i);
+    if (relaxation_.on())
+      throw NumericalError(cases::describe(world_->model.blocks[k], k) +
+                           " falls while gravity is put on: there is no state of rest under the dead loads, so no capacity either; a run "
+                           "without [analysis] shows how it falls");
     char text[400];
     std::snprintf(
         text, sizeof text,

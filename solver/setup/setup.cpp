@@ -87,9 +87,27 @@ void set_up_patches(World& w) {
   sort_patches(w);
 }
 
+namespace {
+
+void add_moving_load(World& w, const cases::Load& l, std::size_t i) {
+  for (cases::MovingShare& m : cases::moving_shares(w.model, l, i, nth(w.model.support_motions, w.model.load_path[i]))) {
+    const Vec3 centre = nth(w.model.assembly.elements, m.share.element).mass.centroid;
+    w.moving_forces.push_back(std::make_shared<cases::SupportHistory>(std::move(m.force)));
+    PointLoad p;
+    p.element = m.share.element, p.arm = m.share.point - centre, p.history = w.moving_forces.back().get(), p.follows = l.follows;
+    w.loads.push_back(p);
+  }
+}
+
+}  // namespace
+
 void set_up_loads(World& w, const cases::Case& c) {
   for (std::size_t i = 0; i < c.loads.size(); ++i) {
     const cases::Load& l = c.loads[i];
+    if (l.path) {
+      add_moving_load(w, l, i);
+      continue;
+    }
     for (const cases::LoadShare& s : cases::load_shares(w.model, l, i)) {
       const Vec3 centre = nth(w.model.assembly.elements, s.element).mass.centroid;
       PointLoad p{s.element, s.part * l.force, s.part * l.moment, s.point - centre, l.ramp[0],

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "cases/forward.h"
@@ -65,6 +66,7 @@ struct World {
   Ties ties;
 
   // Forces and motions from outside.
+  std::vector<std::shared_ptr<const cases::SupportHistory>> moving_forces;  // over time, of the stations of loads that move
   std::vector<PointLoad> loads;
   std::vector<Support> supports;
 

@@ -41,6 +41,7 @@ void check_numbers(const Case& c) {
   for (const NamedLaw& law : m.laws) check_number(law.made_from, m.laws, -1);
   for (const std::int32_t law : m.joint_law) check_number(law, m.laws, 0);
   for (const std::int32_t history : m.load_history) check_number(history, m.support_motions, -1);
+  for (const std::int32_t path : m.load_path) check_number(path, m.support_motions, -1);
   CHECK(m.joint_law.size() == m.assembly.joints.size());
   CHECK(m.joint_strength.size() == m.assembly.joints.size());
   CHECK(m.contact_friction.size() == (m.materials.size() + 1) * (m.materials.size() + 1));

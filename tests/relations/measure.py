@@ -187,11 +187,14 @@ def of_summary(f):
     return out
 
 
+LEAST_FACTOR = 1e-3
 CAPACITY = {"multiplier": ONE, "peak_shear": FORCE, "first_stiffness": STIFFNESS}  # a peak may be level, so it has no place
 
 
 def of_capacity(f):
     a = f["capacity"].attrs
+    if not a["multiplier"] > LEAST_FACTOR:  # it fell while gravity was put on
+        return {}
     return {f"capacity: {k}": Value(numpy.array(float(a[k])), SCALAR, d) for k, d in CAPACITY.items() if k in a and numpy.isfinite(a[k])}
 
 

@@ -150,7 +150,7 @@ void look_at_points(const LoadedCase& c, const cases::Model& m, std::vector<std:
   };
   for (std::size_t i = 0; i < c.value.loads.size(); ++i) {
     const cases::Load& load = c.value.loads[i];
-    if (!load.at) continue;
+    if (!load.at || load.block.empty()) continue;
     for (const cases::LoadShare& s : cases::load_shares(m, load, i))
       tell(cases::indexed_key("load", i, "at"), static_cast<std::size_t>(s.element), *load.at);
   }

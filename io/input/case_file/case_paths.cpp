@@ -36,7 +36,7 @@ struct PathKey {
 
 constexpr std::string_view kRecord = "motion.record";
 
-constexpr std::array<PathKey, 11> kPaths{{
+constexpr std::array<PathKey, 12> kPaths{{
     {kRecord,
      [](Case& c, const PathChange& change) {
        if (c.motion && c.motion->record) change_record(*c.motion->record, change);
@@ -65,6 +65,10 @@ constexpr std::array<PathKey, 11> kPaths{{
     {"load.history",
      [](Case& c, const PathChange& change) {
        for (cases::Load& load : c.loads) change_if(load.history, change);
+     }},
+    {"load.path",
+     [](Case& c, const PathChange& change) {
+       for (cases::Load& load : c.loads) change_if(load.path, change);
      }},
 }};
 

@@ -70,10 +70,12 @@ Table<Analysis> analysis_table() {
        choice<S, LoadPattern S::*, LoadPattern>(
            "pattern", &S::pattern, "", {{"mass", LoadPattern::mass}, {"mode", LoadPattern::mode}, {"given", LoadPattern::given}},
            "pushover: forces as the masses, as the masses times the mode with most mass in `direction`, or the [[load]]s that grow"),
-       value<S>("direction", &S::direction, "", any(), "x and y of the push (where gravity turns to); of any length, -x pushes back"),
+       value<S>("direction", &S::direction, "", any(), "x and y of the push (where gravity turns to); of any length, -x pushes back. Where vertical loads grow, displacements count along "
+                "them instead"),
        value<S>(
            "control", &S::control, "m", any().possibly(0.0, usual::kFarthest),
-           "the element whose centroid is nearest is the control point; none: the one on top nearest to the axis of the centre of mass"),
+           "the element whose centroid is nearest is the control point; none: the one on top nearest to the axis of the centre of mass; "
+           "where vertical loads grow, the loaded one"),
        value<S>("drop", &S::drop, "", inside(0.0, 1.0),
                 "the run ends when the base shear (tilt: the multiplier) has lost this share of its largest value"),
        value<S>(
@@ -118,6 +120,7 @@ void check_time(const Case& c, const RuleCheck& check) {
   const char* why = "has no meaning with analysis.solver = \"equilibrium\", which has no time; solver = \"dynamics\" has";
   for (std::size_t i = 0; i < c.loads.size(); ++i) {
     if (c.loads[i].history) check.fault(path_to("load", i) + ".history", why);
+    if (c.loads[i].path) check.fault(path_to("load", i) + ".path", why);
     if (c.loads[i].ramp != Load{}.ramp) check.fault(path_to("load", i) + ".ramp", why);
   }
   for (std::size_t i = 0; i < c.blocks.size(); ++i) {

@@ -227,11 +227,15 @@ Table<Load> load_table() {
   using S = Load;
   return {
       "a force and a moment on a block, constant after the ramp unless they grow",
-      {required(value<S>("block", &S::block, "", filled(), "name of the block")),
+      {value<S>("block", &S::block, "", any(),
+                "name of the block; empty: the first one that the force meets from `at` on, or from the points of `path`"),
        value<S>("force", &S::force, "N", any().usually(usual::kForce), "force"),
        value<S>("moment", &S::moment, "N m", any().usually(usual::kForce), "moment"),
        value<S>("at", &S::at, "m", any().possibly(0.0, usual::kFarthest),
                 "point of the block where the force acts, moving with it; none: the centroid"),
+       value<S>("path", &S::path, "", filled(),
+                "CSV of t, x, y, z in s and m: a force that moves along these points, in place of `block` and `at`; before the first "
+                "time there is none, after the last it stays at the last point"),
        value<S>("ramp", &S::ramp, "s", any().usually(usual::kDuration), "grows linearly from the first time to the second"),
        value<S>("history", &S::history, "", filled(), "CSV of t, x, y, z in s and N: the force over time, in place of `force` and `ramp`"),
        value<S>("follows", &S::follows, "", any(), "force and moment turn with the block; false: a dead load, which keeps its direction"),
@@ -239,6 +243,14 @@ Table<Load> load_table() {
                 "multiplied by the load factor of [analysis]: a pushover with pattern = \"given\", or cyclic")},
       [](const S& s, const RuleCheck& check) {
         if (s.ramp[0] > s.ramp[1]) check.fault("ramp", "must be [from, to] with from <= to");
+        if (s.path && (s.at || !s.block.empty())) check.fault("path", "does not go with block or at: the force acts on what it meets");
+        if (s.path && (s.history || s.ramp != Load{}.ramp || s.grows || s.moment != Vec3{}))
+          check.fault("path", "goes with a force that is constant: without history, ramp, grows and moment");
+        if (s.block.empty() && !s.path && !s.at)
+          check.fault("block", "is missing: name a block, or give `at` or `path`, where the force acts");
+        if (s.block.empty() && s.force == Vec3{} && !s.history)
+          check.fault("force", "is missing: without a block, the force says which one it meets");
+        if (s.block.empty() && s.history) check.fault("history", "needs a block: the file's force has no one direction");
         if (s.history && (s.force != Vec3{} || s.ramp != Load{}.ramp))
           check.fault("history", "does not go with force or ramp; its file holds the force over time");
         if (s.history && s.grows) check.fault("history", "does not go with grows = true; the load factor says how it grows");

@@ -126,7 +126,7 @@ TEST_CASE("live load: a point load is weakest at the haunch of an arch, and the 
 TEST_CASE("live load: a load meets the first element on its way, and of two that meet there the nearer one") {
   const cases::Model model = cases::build_model(blocks().as_case());
   const auto name = [&](Vec3 from, Vec3 direction) {
-    const solver::LoadedPlace p = solver::place_of_load(model, from, direction);
+    const cases::LoadedPlace p = cases::place_of_load(model, from, direction);
     return p.element < 0 ? std::string("nothing") : model.blocks[static_cast<std::size_t>(p.element)].name;
   };
   CHECK(name({0.1, 0.1, 5.0}, {0, 0, -1}) == "one");

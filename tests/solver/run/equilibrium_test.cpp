@@ -114,3 +114,13 @@ TEST_CASE("equilibrium: dashpots, restitution and mass damping of the case chang
   c.contact.damping = 0.1, c.damping.alpha = 30.0;
   CHECK(difference(plain.state, run(c).state) == "");
 }
+
+TEST_CASE("equilibrium: what falls while gravity is put on has no state of rest, and the message says so") {
+  cases::Case c = pushed_wall(cases::AnalysisKind::pushover);
+  c.joints.default_law = "dry";
+  cases::BlockSpec foot, slab;
+  foot.name = "foot", slab.name = "slab", foot.material = slab.material = c.materials.begin()->first;
+  foot.box = {{{3.0, 0.0, 0.0}, {3.2, 0.2, 0.2}}}, slab.box = {{{3.15, 0.0, 0.2}, {3.55, 0.2, 0.3}}};
+  c.blocks.push_back(foot), c.blocks.push_back(slab);
+  CHECK_THROWS_WITH_AS(run(c), doctest::Contains("falls while gravity is put on: there is no state of rest"), solver::NumericalError);
+}

@@ -169,7 +169,9 @@ TEST_CASE("faults: missing keys name their table's line") {
   }
   CHECK(refusal("[[block]]\nname = \"a\"\nbox = [[0,0,0],[1,1,1]]").starts_with("test.toml:1: block[0].material is missing"));
   CHECK(refusal("[[block]]\nmaterial = \"a\"\nbox = [[0,0,0],[1,1,1]]").starts_with("test.toml:1: block[0].name is missing"));
-  CHECK(refusal("[[load]]\nforce = [1,0,0]").starts_with("test.toml:1: load[0].block is missing"));
+  CHECK(refusal("[[load]]\nforce = [1,0,0]").starts_with("test.toml:1: load[0].block is missing: name a block, or give `at` or `path`"));
+  CHECK(refusal("[[load]]\nat = [1,0,0]").starts_with("test.toml:1: load[0].force is missing"));
+  CHECK(refusal("[[load]]\nat = [1,0,0]\nforce = [1,0,0]\npath = \"a.csv\"").find("load[0].path") != std::string::npos);
   CHECK(refusal("[joints]\nbetween = [ {law = \"dry\"} ]").starts_with("test.toml:2: joints.between[0].materials is missing"));
   CHECK(refusal("[joints]\nbetween = [ {law = \"dry\", materials = [\"a\"]} ]").find("has 1 values, wanted an array of 2") !=
         std::string::npos);
