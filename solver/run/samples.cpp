@@ -1,13 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <cstdio>
+#include <limits>
+#include <utility>
 
+#include "cases/model.h"
+#include "solver/run/over_elements.h"
 #include "solver/run/simulation.h"
+#include "solver/world/errors.h"
 
-/// What a sample takes from a step: base forces, motions of the elements that are followed.
+/// What a sample takes from a step: base forces, motions of the elements that are followed, the largest speed.
 namespace voussoir::solver {
 
 namespace {
+
+constexpr double kFastest = 200.0;    // m/s; a house that falls from 20 m reaches 20
+constexpr double kLargestTurn = 0.5;  // rad in a step of its own: what turns faster has no true orientation, THEORY (24)
 
 Vec3 rotation_vector(Quaternion q, Quaternion start) {
   // q · start⁻¹
@@ -56,6 +65,62 @@ void Simulation::note_velocities() {
     const auto i = static_cast<std::size_t>(followed_[k]);
     velocity_before_[k] = {e.vx[i], e.vy[i], e.vz[i]};
   }
+}
+
+/// Of the largest speed [m2/s2]. \throw NumericalError
+double Simulation::fastest_square() {
+  const Elements& e = world_->elements;
+  const auto squares = [&](std::int64_t i) {
+    const auto k = static_cast<std::size_t>(i);
+    return std::pair{e.vx[k] * e.vx[k] + e.vy[k] * e.vy[k] + e.vz[k] * e.vz[k], e.wx[k] * e.wx[k] + e.wy[k] * e.wy[k] + e.wz[k] * e.wz[k]};
+  };
+  const auto step = [&](std::int64_t i) { return world_->step_of_element(static_cast<std::size_t>(i)); };
+  const auto sound = [&](std::int64_t i) {
+    const auto [v2, w2] = squares(i);
+    return v2 < kFastest * kFastest && w2 * step(i) * step(i) < kLargestTurn * kLargestTurn;
+  };
+  // By the threads that have the rows: one alone would fetch all of them, and the others fetch theirs back.
+  const double most = over_elements(*world_, update_shares_, most_, [&](std::int64_t first, std::int64_t last) {
+    double v2 = 0.0;
+    for (std::int64_t i = first; i < last; ++i) v2 = std::max(v2, sound(i) ? squares(i).first : std::numeric_limits<double>::infinity());
+    return v2;
+  });
+  if (most < kFastest * kFastest) return most;
+  if (relaxation_.on() && phase_ == Phase::shaking) {  // what falls has no state of rest
+    path_.lose();
+    return 0.0;
+  }
+  for (std::int32_t i = 0; i < e.count; ++i) {
+    if (sound(i)) continue;
+    const auto k = static_cast<std::size_t>(i);
+    const auto [v2, w2] = squares(i);
+    if (relaxation_.on())
+      throw NumericalError(cases::describe(world_->model.blocks[k], k) +
+                           " falls while gravity is put on: there is no state of rest under the dead loads, so no capacity either; a run "
+                           "without [analysis] shows how it falls");
+    char text[400];
+    std::snprintf(
+        text, sizeof text,
+        "%s moves at %.3g m/s and turns at %.3g rad/s at t = %.6f s (allowed: under %g m/s and %.3g rad/s): the step of %.3g s is "
+        "probably too large; try --dt %.3g, or leave it to the program (time.step = \"auto\")",
+        cases::describe(world_->model.blocks[k], k).c_str(), std::sqrt(v2), std::sqrt(w2), time(), kFastest, kLargestTurn / step(i),
+        step(i), 0.5 * world_->dt);
+    throw NumericalError(text);
+  }
+  return most;
+}
+
+std::string Simulation::fastest_element() const {
+  const Elements& e = world_->elements;
+  std::size_t fastest = 0;
+  double most = -1.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
+    const double v2 = e.vx[i] * e.vx[i] + e.vy[i] * e.vy[i] + e.vz[i] * e.vz[i];
+    if (v2 <= most) continue;
+    fastest = i, most = v2;
+    if (std::isnan(v2)) break;
+  }
+  return cases::describe(world_->model.blocks[fastest], fastest);
 }
 
 }  // namespace voussoir::solver

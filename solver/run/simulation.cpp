@@ -35,8 +35,6 @@ std::unique_ptr<World> world_of(const cases::Case& c, const cases::Model& m, con
   return cases::finds_rest(c.analysis) ? build_world(without_rates(c), m, o) : build_world(c, m, o);
 }
 
-constexpr double kFastest = 200.0;           // m/s; a house that falls from 20 m reaches 20
-constexpr double kLargestTurn = 0.5;         // rad in a step of its own: what turns faster has no true orientation, THEORY (24)
 constexpr std::int64_t kGuardInterval = 20;  // steps
 constexpr double kRamp = 1.0;                // s, of gravity, if the case says nothing of it
 constexpr double kShortestRamp = 0.05;       // s: a shorter one says nothing of how slowly a structure sways
@@ -164,60 +162,27 @@ void Simulation::apply_loads() {
   solver::apply_loads(w, ledger_, load_before_, step_, shaking ? static_cast<double>(step_) * w.dt : 0.0, program_.factor());
 }
 
-/// Of the largest speed [m2/s2]. \throw NumericalError
-double Simulation::fastest_square() {
-  const Elements& e = world_->elements;
-  const auto squares = [&](std::int64_t i) {
-    const auto k = static_cast<std::size_t>(i);
-    return std::pair{e.vx[k] * e.vx[k] + e.vy[k] * e.vy[k] + e.vz[k] * e.vz[k], e.wx[k] * e.wx[k] + e.wy[k] * e.wy[k] + e.wz[k] * e.wz[k]};
-  };
-  const auto step = [&](std::int64_t i) { return world_->step_of_element(static_cast<std::size_t>(i)); };
-  const auto sound = [&](std::int64_t i) {
-    const auto [v2, w2] = squares(i);
-    return v2 < kFastest * kFastest && w2 * step(i) * step(i) < kLargestTurn * kLargestTurn;
-  };
-  // By the threads that have the rows: one alone would fetch all of them, and the others fetch theirs back.
-  const double most = over_elements(*world_, update_shares_, most_, [&](std::int64_t first, std::int64_t last) {
-    double v2 = 0.0;
-    for (std::int64_t i = first; i < last; ++i) v2 = std::max(v2, sound(i) ? squares(i).first : std::numeric_limits<double>::infinity());
-    return v2;
-  });
-  if (most < kFastest * kFastest) return most;
-  if (relaxation_.on() && phase_ == Phase::shaking) {  // what falls has no state of rest
-    path_.lose();
-    return 0.0;
-  }
-  for (std::int32_t i = 0; i < e.count; ++i) {
-    if (sound(i)) continue;
-    const auto k = static_cast<std::size_t>(i);
-    const auto [v2, w2] = squares(i);
-    if (relaxation_.on())
-      throw NumericalError(cases::describe(world_->model.blocks[k], k) +
-                           " falls while gravity is put on: there is no state of rest under the dead loads, so no capacity either; a run "
-                           "without [analysis] shows how it falls");
-    char text[400];
-    std::snprintf(
-        text, sizeof text,
-        "%s moves at %.3g m/s and turns at %.3g rad/s at t = %.6f s (allowed: under %g m/s and %.3g rad/s): the step of %.3g s is "
-        "probably too large; try --dt %.3g, or leave it to the program (time.step = \"auto\")",
-        cases::describe(world_->model.blocks[k], k).c_str(), std::sqrt(v2), std::sqrt(w2), time(), kFastest, kLargestTurn / step(i),
-        step(i), 0.5 * world_->dt);
-    throw NumericalError(text);
-  }
-  return most;
+/// Adds the weights, measures how far the structure is from rest, and goes on along the path.
+void Simulation::relax() {
+  const Vec3 gravity = gravity_at(static_cast<double>(step_) * world_->dt);
+  lead_.step(path_.pull());  // 0 while settling
+  relaxation_.look(*world_, phase_ == Phase::settling ? gravity : gravity + program_.acceleration(), path_.pull() > 0.0, lead_);
+  if (phase_ == Phase::shaking) path_.iterated(program_.factor());
 }
 
-std::string Simulation::fastest_element() const {
-  const Elements& e = world_->elements;
-  std::size_t fastest = 0;
-  double most = -1.0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
-    const double v2 = e.vx[i] * e.vx[i] + e.vy[i] * e.vy[i] + e.vz[i] * e.vz[i];
-    if (v2 <= most) continue;
-    fastest = i, most = v2;
-    if (std::isnan(v2)) break;
+void Simulation::accept_rest() {
+  const World& w = *world_;
+  const double sense = program_.sense();
+  program_.rest_at(w, -dot(forces_.base_shear, program_.across()), step_);
+  lead_.accept(w, program_.sense() == sense ? path_.increment() : 0.0);
+  RestPoint p{.factor = program_.factor(), .done = program_.way(), .left = program_.way_left()};
+  if (!w.supports.empty() && program_.analysis().kind == cases::AnalysisKind::settlement) {
+    p.done = path_.clock(), p.left = program_.last_support() - path_.clock();
+    if (p.left <= 0.0) program_.end_at(step_);
   }
-  return cases::describe(world_->model.blocks[fastest], fastest);
+  p.broken = damage_.tension + damage_.shear + damage_.compression, p.slipped = damage_.slipped;
+  for (const std::int32_t bonds : w.elements.bonds_at_start) p.bonds += bonds;
+  path_.accept(p, 2.0 * std::numbers::pi / std::max(relaxation_.frequency() * w.dt, 1e-6), lead_.open());
 }
 
 /// A search waits for the first step of a cycle.

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/world/errors.h"
 #include "tests/solver/interrupted_analysis.h"
 #include "tests/solver/small_wall.h"
 
@@ -121,6 +122,7 @@ TEST_CASE("equilibrium: what falls while gravity is put on has no state of rest,
   cases::BlockSpec foot, slab;
   foot.name = "foot", slab.name = "slab", foot.material = slab.material = c.materials.begin()->first;
   foot.box = {{{3.0, 0.0, 0.0}, {3.2, 0.2, 0.2}}}, slab.box = {{{3.15, 0.0, 0.2}, {3.55, 0.2, 0.3}}};
-  c.blocks.push_back(foot), c.blocks.push_back(slab);
+  foot.fixed = true;
+  c.base.reset(), c.blocks = {foot, slab};
   CHECK_THROWS_WITH_AS(run(c), doctest::Contains("falls while gravity is put on: there is no state of rest"), solver::NumericalError);
 }

@@ -51,7 +51,7 @@ double area(const Values& x, const Values& y, std::size_t from, double end) {
 }
 
 Bilinear finished(Bilinear b) {
-  b.ductility = b.ultimate / b.yield;
+  b.ductility = b.ultimate < b.yield ? Bilinear::kNone : b.ultimate / b.yield;  // none where the curve turns back
   return b;
 }
 

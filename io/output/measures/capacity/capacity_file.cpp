@@ -81,8 +81,10 @@ std::string loops_text(const std::vector<Loop>& loops) {
 
 std::string bilinear_text(const char* name, const Bilinear& b) {
   if (std::isnan(b.yield)) return line(name, "none");
+  std::string ductility = std::isnan(b.ultimate) ? "not reached" : "none, the curve turns back";
+  if (!std::isnan(b.ductility)) ductility = std::to_string(b.ductility).substr(0, 5);
   return line(name, "%.1f kN from %.3f mm on (%.4g kN/mm), ductility %s", 1e-3 * b.force, 1e3 * b.yield, 1e-6 * b.stiffness,
-              std::isnan(b.ductility) ? "not reached" : std::to_string(b.ductility).substr(0, 5).c_str());
+              ductility.c_str());
 }
 
 void write_loops(Hdf5File& file, const std::string& name, const std::vector<Loop>& loops) {
