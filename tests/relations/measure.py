@@ -187,14 +187,13 @@ def of_summary(f):
     return out
 
 
-LEAST_FACTOR, FALL = 1e-3, 0.02  # 1, m
+LEAST_FACTOR = 1e-3
 CAPACITY = {"multiplier": ONE, "peak_shear": FORCE, "first_stiffness": STIFFNESS}  # a peak may be level, so it has no place
 
 
 def of_capacity(f):
     a = f["capacity"].attrs
-    fell = numpy.abs(f["frames/displacement"][0]).max() > FALL
-    if fell or not a["multiplier"] > LEAST_FACTOR:  # while gravity was put on: how a heap comes to lie is chance
+    if a["fallen_before"] > 0.0 or not a["multiplier"] > LEAST_FACTOR:  # how a heap comes to lie is chance
         return {}
     return {f"capacity: {k}": Value(numpy.array(float(a[k])), SCALAR, d) for k, d in CAPACITY.items() if k in a and numpy.isfinite(a[k])}
 

@@ -26,6 +26,7 @@ constexpr double kFirstShare = 0.15;   // of the largest base shear: its secant 
 constexpr double kLeastShear = 1e-3;   // of the loads: a smaller base shear counts as none, as when only moments grow
 constexpr double kRoundOff = 1e-8;     // of a largest value: a row that comes so close to it has it
 constexpr double kLeftOpen = 1e-3;     // the same of states of rest, by what their tolerance leaves open
+constexpr double kHalf = 0.5;          // of the least size of an element: it has fallen if it has moved farther while gravity was put on
 constexpr double kItalianShare = 0.7;  // of the largest base shear: point on the elastic branch
 
 using Values = std::vector<double>;
@@ -96,8 +97,8 @@ std::optional<Window> window_of(const CapacityCurve& r, double weight, std::size
   return Window{sum / moved, std::max(0.0, motion) / (weight * moved)};
 }
 
-/// A largest value, and the first row that has it but for round-off, or for what a tolerance leaves open. Where the curve is level, as while
-/// blocks slide, these alone decide which row is the very largest.
+/// A largest value, and the first row that has it but for round-off, or for what a tolerance leaves open. Where the curve is level, as
+/// while blocks slide, these alone decide which row is the very largest.
 struct Peak {
   double value = 0.0;
   std::size_t row = 0;
@@ -196,11 +197,25 @@ std::vector<std::string> parts_from(const Hdf5File& run, const FrameReader& fram
   return names_of(finder.find(frames.times()[found.to], poses_of(frames, found.to)), building);
 }
 
+/// The share of the mass that moved by more than half its least size before the load began.
+double fallen_before(const FrameReader& frames, const Building& building) {
+  const std::vector<Pose> at_first = first_poses(frames), loaded = poses_of(frames, 0);
+  double all = 0.0, fallen = 0.0;
+  for (std::size_t i = 0; i < building.mass.size(); ++i) {
+    const Box& box = building.box[i];
+    const double least = std::min({box.size(0), box.size(1), box.size(2)});
+    all += building.mass[i];
+    if (norm(loaded[i].centre - at_first[i].centre) > kHalf * least) fallen += building.mass[i];
+  }
+  return all > 0.0 ? fallen / all : 0.0;
+}
+
 /// Finds the mechanism from the largest load factor on, and bodies at the end, if joints are open enough to separate them.
 void look_at_mechanism(const Hdf5File& run, Capacity& c) {
   const FrameReader frames(run);
   if (frames.frames() == 0) return;
   const Building building = building_of(run);
+  c.fallen_before = fallen_before(frames, building);
   const auto& times = frames.times();
   const auto next = static_cast<std::uint64_t>(std::ranges::lower_bound(times, c.multiplier_time) - times.begin());
   const std::uint64_t at = std::min(next, frames.frames() - 1);

@@ -54,6 +54,7 @@ struct Capacity {
   double motion_share = 0.0;            // of that mean, the part borne by inertia and mass damping
   double unbalanced = Bilinear::kNone;  // analysis.solver = "equilibrium": largest of the rows; then the shares of motion are 0
   double kinetic_share = 0.0;           // largest kinetic energy over the work put in until then
+  double fallen_before = 0.0;           // of the mass: what moved by more than half its least size while gravity was put on
   double multiplier_time = 0.0, multiplier_displacement = 0.0;                       // of multiplier_at_rest: s, m of the control point
   double peak_shear = 0.0, peak_displacement = 0.0, peak_time = 0.0;                 // N, m, s
   double first_stiffness = Bilinear::kNone;                                          // N/m

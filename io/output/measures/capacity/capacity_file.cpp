@@ -131,6 +131,7 @@ std::vector<Figure> figures_of(const Capacity& c) {
     f.push_back({"multiplier_displacement", c.multiplier_displacement, "m"});
     f.push_back({"multiplier_time", c.multiplier_time, "s"});
   }
+  f.push_back({"fallen_before", c.fallen_before, "1, of the mass, while gravity was put on"});
   f.push_back({"motion_share", c.motion_share, "1"});
   f.push_back({"kinetic_share", c.kinetic_share, "1"});
   f.push_back({"unbalanced", c.unbalanced, "1 (NaN: dynamics), largest unbalanced force over the mean weight of an element"});
@@ -178,6 +179,9 @@ std::string capacity_text(const Capacity& c) {
                 : line("fell", "after a movement of %.4f m, at %.2f s", c.collapse_movement, c.collapse_time);
     return text + "mechanism at the end " + list(c.mechanism_at_end) + "\n";
   }
+  if (c.fallen_before > 0.0)
+    text += line("before the load", "%.1f %% of the mass fell while gravity was put on: these figures are those of what it left",
+                 1e2 * c.fallen_before);
   const char* name = c.kind == AnalysisKind::tilt ? "multiplier" : "largest load factor";
   text += c.kind == AnalysisKind::cyclic ? line(name, "%.4f", c.multiplier)
                                          : line(name, "%.4f; borne at rest %.4f, at %.3f mm of the control point", c.multiplier,
