@@ -207,8 +207,7 @@ Model model_of_blocks(const Case& c) {
     if (c.loads[i].history)
       model.support_motions.push_back({{}, {}, false, *c.loads[i].history, "load[" + std::to_string(i) + "].history"});
     model.load_path.push_back(c.loads[i].path ? static_cast<std::int32_t>(model.support_motions.size()) : -1);
-    if (c.loads[i].path)
-      model.support_motions.push_back({{}, {}, false, *c.loads[i].path, "load[" + std::to_string(i) + "].path"});
+    if (c.loads[i].path) model.support_motions.push_back({{}, {}, false, *c.loads[i].path, "load[" + std::to_string(i) + "].path"});
   }
   check_segments(c, model);
   return model;

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "cases/forward.h"
@@ -35,16 +36,8 @@ struct LoadShare {
 /// effect; at load[index].at if a load without a name meets nothing that can move
 std::vector<LoadShare> load_shares(const Model& model, const Load& load, std::size_t index);
 
-/// A station of a load that moves: the share of the element that it meets there, and the force on it over time.
-struct MovingShare {
-  LoadShare share;
-  SupportHistory force;  // N, in place of m
-};
-
-/// The stations of a load that moves along a path. From each to the next the force passes linearly in time, so that resultant force and
-/// moment are those of a force that moves evenly from one to the other.
-/// \param path  t, and places [m] in the axes of the case file
-/// \throw InputError at load[index].path if the force meets nothing that can move at one of them
-std::vector<MovingShare> moving_shares(const Model& model, const Load& load, std::size_t index, const SupportHistory& path);
+/// The share of a load that acts on the first element that its force meets from a point on. \param from  m, relative to the model's origin
+/// \throw InputError at `key` if it meets nothing that can move
+LoadShare share_met(const Model& model, const Load& load, Vec3 from, const std::string& key);
 
 }  // namespace voussoir::cases

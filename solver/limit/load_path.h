@@ -16,7 +16,7 @@ namespace voussoir::solver {
 /// A point load at one position of its path.
 struct LoadPosition {
   Vec3 from;                         // m, on the path
-  cases::LoadedPlace place;                 // point of action on the model; without element: nothing movable is hit
+  cases::LoadedPlace place;          // point of action on the model; without element: nothing movable is hit
   std::optional<LimitResult> found;  // none: no collapse under a load at this position, whatever its size
   [[nodiscard]] double multiplier(bool coulomb) const { return coulomb ? found->coulomb.multiplier : found->associated.multiplier; }
 };

@@ -65,16 +65,16 @@ LoadProgram::LoadProgram(const cases::Case& c, World& w) : analysis_(c.analysis)
   across_ = (1.0 / norm(across_)) * across_;
   for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) mass_ += e.fixed[i] ? 0.0 : e.mass[i];
   const auto pushed = std::ranges::find_if(w.loads, &PointLoad::grows);
-  control_ = analysis_.control                       ? cases::nearest_element(w.model, *analysis_.control)
+  control_ = analysis_.control                     ? cases::nearest_element(w.model, *analysis_.control)
              : vertical && pushed != w.loads.end() ? pushed->element
-                                                     : top_element(w);
+                                                   : top_element(w);
   height_ = std::max(kLeastHeight, nth(e.body, control_).ref.z - nth(e.body, e.base).ref.z);
   for (const Support& s : w.supports)
     last_support_ = std::max(last_support_, s.history->open_ended ? std::numeric_limits<double>::infinity() : s.history->time.back());
   if (analysis_.kind == AnalysisKind::pushover && analysis_.pattern == LoadPattern::mode)
     shape_.assign(static_cast<std::size_t>(e.count), {});
-  no_shear_ = vertical || (pushed != w.loads.end() &&
-                           std::ranges::none_of(w.loads, [](const PointLoad& l) { return l.grows && l.force != Vec3{}; }));
+  no_shear_ = vertical ||
+              (pushed != w.loads.end() && std::ranges::none_of(w.loads, [](const PointLoad& l) { return l.grows && l.force != Vec3{}; }));
   if (!analysis_.level) return;
   for (const PointLoad& l : w.loads) {
     if (!l.grows) continue;

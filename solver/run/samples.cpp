@@ -67,7 +67,6 @@ void Simulation::note_velocities() {
   }
 }
 
-/// Of the largest speed [m2/s2]. \throw NumericalError
 double Simulation::fastest_square() {
   const Elements& e = world_->elements;
   const auto squares = [&](std::int64_t i) {
@@ -86,28 +85,32 @@ double Simulation::fastest_square() {
     return v2;
   });
   if (most < kFastest * kFastest) return most;
-  if (relaxation_.on() && phase_ == Phase::shaking) {  // what falls has no state of rest
-    path_.lose();
-    return 0.0;
-  }
+  give_up();
+  return 0.0;
+}
+
+void Simulation::give_up() {
+  const Elements& e = world_->elements;
   for (std::int32_t i = 0; i < e.count; ++i) {
-    if (sound(i)) continue;
     const auto k = static_cast<std::size_t>(i);
-    const auto [v2, w2] = squares(i);
-    if (relaxation_.on())
-      throw NumericalError(cases::describe(world_->model.blocks[k], k) +
-                           " falls while gravity is put on: there is no state of rest under the dead loads, so no capacity either; a run "
-                           "without [analysis] shows how it falls");
+    const double speed = std::hypot(e.vx[k], e.vy[k], e.vz[k]), spin = std::hypot(e.wx[k], e.wy[k], e.wz[k]);
+    const double step = world_->step_of_element(k);
+    if (speed < kFastest && spin * step < kLargestTurn) continue;
+    const std::string element = cases::describe(world_->model.blocks[k], k);
+    if (relaxation_.on() && std::isfinite(speed) && std::isfinite(spin)) {
+      if (phase_ == Phase::shaking) return path_.lose();
+      throw NumericalError(element +
+                           " finds no rest while gravity is put on, so there is no capacity: it falls under the dead loads, or "
+                           "the relaxation has failed; a run without [analysis] shows which");
+    }
     char text[400];
     std::snprintf(
         text, sizeof text,
         "%s moves at %.3g m/s and turns at %.3g rad/s at t = %.6f s (allowed: under %g m/s and %.3g rad/s): the step of %.3g s is "
         "probably too large; try --dt %.3g, or leave it to the program (time.step = \"auto\")",
-        cases::describe(world_->model.blocks[k], k).c_str(), std::sqrt(v2), std::sqrt(w2), time(), kFastest, kLargestTurn / step(i),
-        step(i), 0.5 * world_->dt);
+        element.c_str(), speed, spin, time(), kFastest, kLargestTurn / step, step, 0.5 * world_->dt);
     throw NumericalError(text);
   }
-  return most;
 }
 
 std::string Simulation::fastest_element() const {

@@ -84,7 +84,8 @@ class Simulation {
   /// Cracks since the caller last cleared the list.
   [[nodiscard]] std::vector<CrackRow>& cracks() { return cracks_; }
   [[nodiscard]] double peak_speed() const { return peak_speed_; }
-  /// \throw NumericalError if an element moves at 200 m/s or more, or its speed is not finite
+  /// Ends the path of a relaxation in which an element moves at 200 m/s or more: what falls has no state of rest.
+  /// \throw NumericalError if an element does so otherwise, or its speed is not finite
   void check_speeds() { (void)fastest_square(); }
   /// Wall-clock times by stage since the simulation was built; others add theirs (output).
   [[nodiscard]] StageTimes& stage_times() { return times_; }
@@ -119,7 +120,8 @@ class Simulation {
   template <class Work>
   double over_due_elements(Work work);
   void note_move(double moved);
-  double fastest_square();
+  double fastest_square();  // of the largest speed [m2/s2]; after give_up: 0
+  void give_up();           // of elements that are too fast, as check_speeds() says
   /// Parameters of the moves of elements of one level (multirate.h).
   struct Move {
     kernels::BodyForces forces;

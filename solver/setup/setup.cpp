@@ -10,6 +10,7 @@
 #include "cases/case.h"
 #include "cases/census.h"
 #include "cases/loads/loads.h"
+#include "cases/loads/moving_load.h"
 #include "cases/model.h"
 #include "geometry/nth.h"
 #include "solver/setup/laws/optional_laws.h"

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cases/loads/loads.h"
-
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 #include "cases/case.h"
+#include "cases/loads/moving_load.h"
 #include "cases/model.h"
+#include "cases/solids/origin.h"
 
 using namespace voussoir;
 
@@ -49,8 +49,7 @@ TEST_CASE("load: without a block it acts on the first one that its force meets f
   CHECK(norm(at({0.3, 0.2, 7.0}).point - Vec3{0.3, 0.2, 0.5}) < 1e-8);
   CHECK(m.blocks[static_cast<std::size_t>(at({1.3, 0.2, 0.4}).element)].name == "right");  // inside: there
   CHECK(at({1.3, 0.2, 0.4}).point == Vec3{1.3, 0.2, 0.4});
-  CHECK_THROWS_WITH_AS(at({0.3, 0.9, 7.0}), "load[0].at: no block lies at [0.3, 0.9, 7], or behind it along the force",
-                       cases::InputError);
+  CHECK_THROWS_WITH_AS(at({0.3, 0.9, 7.0}), "load[0].at: no block lies at [0.3, 0.9, 7], or behind it along the force", cases::InputError);
 }
 
 TEST_CASE("load: what meets a fixed block is refused") {
@@ -101,7 +100,9 @@ TEST_CASE("load: places of a model far from the origin are those of the case fil
   cases::SupportHistory way = kWay;
   for (Vec3& p : way.displacement) p += far;
   const auto near = cases::moving_shares(cases::build_model(two_blocks()), load, 0, kWay);
+  cases::move_origin(c, far);
   const cases::Model m = cases::build_model(c);
+  REQUIRE(m.origin == far);
   const auto there = cases::moving_shares(m, load, 0, way);
   REQUIRE(near.size() == there.size());
   for (std::size_t i = 0; i < near.size(); ++i) {

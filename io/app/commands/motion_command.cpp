@@ -276,9 +276,9 @@ Command add_motion(CLI::App& program) {
   add_treatment(*words, w->o.treatment);
   words->add_flag("--combine", w->o.combine, "spectra of the two horizontal components together, too: geometric mean, RotD50, RotD100");
   words
-      ->add_option(
-          "--intensity", w->o.periods,
-          "print the measures of motion.intensity, too: PGA, PGV, and Sa at these periods, s; of each horizontal component and of both together")
+      ->add_option("--intensity", w->o.periods,
+                   "print the measures of motion.intensity, too: PGA, PGV, and Sa at these periods, s; of each horizontal component and of "
+                   "both together")
       ->check(number_range(0.01, 20.0))
       ->allow_extra_args(false)
       ->delimiter(',');

@@ -139,6 +139,33 @@ TEST_CASE("a load with a history is the force that its file holds, up and down")
   CHECK(end_of(over_time, {0.0, 0.01, 0.02}, {{}, {0.0, 40.0, 0.0}, {0.0, -40.0, 0.0}}) != as_steady);
 }
 
+TEST_CASE("a load that moves acts where its path is: one that stands still as a steady load there, one that goes on elsewhere") {
+  cases::Case steady = small_wall(3, 4), moving = steady;
+  cases::Load load;
+  load.force = {0.0, 0.0, -200.0}, load.at = {0.35, 0.05, 1.0};
+  steady.loads.push_back(load);
+  load.at.reset(), load.path = "way.csv";
+  moving.loads.push_back(load);
+  const auto end_of = [](const cases::Case& c, Vec3 from, Vec3 to) {
+    cases::Model m = cases::build_model(c);
+    if (!m.support_motions.empty()) m.support_motions[0].time = {0.0, 0.02}, m.support_motions[0].displacement = {from, to};
+    solver::Simulation sim(c, m, {}, {});
+    sim.start_shaking();
+    while (sim.time() < 0.02) sim.step({.sample = false, .ledger = sim.steps() % 100 == 0});
+    CHECK(sim.worst_residual() < 1e-3);
+    return sim.world().elements.uz;
+  };
+  const Vec3 at = *steady.loads[0].at;
+  const auto there = end_of(steady, {}, {}), still = end_of(moving, at, at), elsewhere = end_of(moving, {0.05, 0.05, 1.0}, at);
+  double most = 0.0, apart = 0.0, far = 0.0;
+  for (std::size_t i = 0; i < there.size(); ++i) {
+    most = std::max(most, std::abs(there[i])), apart = std::max(apart, std::abs(still[i] - there[i]));
+    far = std::max(far, std::abs(elsewhere[i] - there[i]));
+  }
+  CHECK(apart < 1e-9 * most);
+  CHECK(far > 1e-3 * most);
+}
+
 TEST_CASE("a dead load keeps its direction, a follower turns with its block") {
   for (const bool follows : {false, true}) {
     cases::Case c = small_wall(1, 1);

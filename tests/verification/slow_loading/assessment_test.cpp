@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "tests/verification/structures/arch.h"
 #include "tests/verification/limit_analysis.h"
+#include "tests/verification/structures/arch.h"
 
 // V15: quasi-static analyses against closed forms and limit analysis of the same blocks and contact points.
 namespace voussoir::testing {

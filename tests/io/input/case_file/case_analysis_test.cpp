@@ -82,10 +82,11 @@ TEST_CASE("analysis: what does not go together is refused, with line, key and wh
   CHECK(refusal(analysis(at_rest + "tolerance = 1e-3\npath_step = 0.01")) == "accepted");
   CHECK(refusal(analysis("solver = \"equilibrium\"")).find("goes only with a kind other than \"time-history\"") != std::string::npos);
   CHECK(refusal(analysis(moved + "tolerance = 1e-3")).find("goes only with solver = \"equilibrium\"") != std::string::npos);
-  CHECK(refusal(analysis("kind = \"tilt\"\npace = 2.0\npath_step = 0.1")).find("goes only with solver = \"equilibrium\"") != std::string::npos);
+  CHECK(refusal(analysis("kind = \"tilt\"\npace = 2.0\npath_step = 0.1")).find("goes only with solver = \"equilibrium\"") !=
+        std::string::npos);
   CHECK(refusal(analysis("kind = \"tilt\"\ntolerance = 1e-3")) == "accepted");  // states of rest unless told otherwise
   CHECK(refusal(analysis("kind = \"tilt\"\npace = 2.0")) == "accepted");        // which a pace does
-  CHECK(refusal(analysis("solver = \"dynamics\"")) == "accepted");               // as cases of older runs have it
+  CHECK(refusal(analysis("solver = \"dynamics\"")) == "accepted");              // as cases of older runs have it
   CHECK(refusal(analysis(at_rest + "pace = 2.0")).find("goes only with solver = \"dynamics\"") != std::string::npos);
   CHECK(refusal(analysis(at_rest + "damping = 2.0")).find("goes only with solver = \"dynamics\"") != std::string::npos);
   CHECK(refusal(kPushed.substr(0, kPushed.find("grows")) + "ramp = [0.0, 1.0]\n" + analysis(at_rest)).find("which has no time") !=

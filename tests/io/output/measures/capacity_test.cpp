@@ -94,6 +94,19 @@ TEST_CASE("capacity: of states of rest nothing is borne by motion, and the worst
   CHECK(got.unbalanced == 9e-5);
 }
 
+TEST_CASE("capacity: a curve that turns back before its yield displacement has no ductility") {
+  CapacityCurve c = trilinear(7e-3);
+  const std::size_t turn = 500, rows = c.time.size();
+  for (std::size_t i = turn; i < rows; ++i) {
+    const double t = static_cast<double>(i - turn) / static_cast<double>(rows - 1 - turn);
+    c.displacement[i] = 5e-3 - 4.9e-3 * t, c.base_shear[i] = 1e4 * (1.0 - 0.21 * t);
+  }
+  const Capacity got = capacity_of(cases::AnalysisKind::pushover, 0.2, kPace, kWeight, 0.0, c);
+  REQUIRE(got.ultimate_displacement < got.ec8.yield);
+  CHECK(std::isnan(got.ec8.ductility));
+  CHECK(capacity_text(got).find("ductility none, the curve turns back") != std::string::npos);
+}
+
 TEST_CASE("capacity: of what fell before the load began the text says so") {
   Capacity c = capacity_of(cases::AnalysisKind::pushover, 0.2, kPace, kWeight, 0.0, trilinear(7e-3));
   CHECK(capacity_text(c).find("while gravity was put on") == std::string::npos);

@@ -94,6 +94,24 @@ TEST_CASE("assess: a cut at the foot of a block at rest bears its weight") {
   CHECK(w.run("run block.toml -o other --quiet --set output.cut[0].point=[0.0,0.0,5.0]").text.find("cuts no joint") != std::string::npos);
 }
 
+TEST_CASE("capacity: a slab that tips off its foot before it is pushed is told as fallen, with its share of the mass") {
+  const Words w;
+  const std::string block(kBlock), head = block.substr(0, block.find("[[output.history]]"));
+  const auto two = [&](const std::string& slab) {
+    return head + "[analysis]\nkind = \"pushover\"\nlargest_factor = 0.1\n" +
+           "[[block]]\nname = \"foot\"\nmaterial = \"stone\"\nbox = [[0.0, 0.0, 0.0], [0.2, 0.2, 0.2]]\n" +
+           "[[block]]\nname = \"slab\"\nmaterial = \"stone\"\nbox = " + slab + "\n";
+  };
+  w.folder.write("falls.toml", two("[[0.15, 0.0, 0.2], [0.55, 0.2, 0.3]]"));
+  w.folder.write("stands.toml", two("[[0.0, 0.0, 0.2], [0.2, 0.2, 0.4]]"));
+  for (const std::string name : {"falls", "stands"}) {
+    REQUIRE(w.run("run " + name + ".toml -o " + name + " --quiet -j 1").code == 0);
+    const Json capacity = Json::parse(w.run("summary " + name + " --format json").text)["capacity"];
+    CHECK(capacity["fallen_before"].get<double>() == doctest::Approx(name == "falls" ? 0.5 : 0.0));
+  }
+  CHECK(w.run("summary falls").text.find("before the load      50.0 % of the mass fell") != std::string::npos);
+}
+
 TEST_CASE("assess: the map of a wall lies in its folder whatever the wall's name") {
   const Words w;
   w.folder.write("walls.toml", std::string(kBlock) + "part = \"../x wall\"\n[[block]]\nname = \"other\"\nmaterial = \"stone\"\n" +
