@@ -93,7 +93,8 @@ Vec3 push_direction(const Case& c) {
       if (l.grows) sum += l.force;
   }
   if (std::hypot(sum.x, sum.y) < kVertical * norm(sum)) return {0.0, 0.0, sum.z > 0.0 ? 1.0 : -1.0};
-  return normalised(Vec3{a.direction[0], a.direction[1], 0.0});
+  const double length = std::hypot(a.direction[0], a.direction[1]);  // whose square may be no number
+  return {a.direction[0] / length, a.direction[1] / length, 0.0};
 }
 
 void check_loads(const Case& c) {

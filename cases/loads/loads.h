@@ -17,8 +17,8 @@ namespace voussoir::cases {
 /// Checks that every load names a free-standing block that can move. \throw InputError with the key at fault.
 void check_loads(const Case& c);
 
-/// Along which displacements and drifts of a quasi-static analysis count: analysis.direction, but the way of the loads that grow where they
-/// are vertical. Unit.
+/// The unit vector along which a quasi-static analysis measures displacement and drift: analysis.direction; where the loads that grow are
+/// vertical, their direction.
 Vec3 push_direction(const Case& c);
 
 /// The share of a load on one element.

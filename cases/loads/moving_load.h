@@ -10,7 +10,7 @@
 /// A load that moves along a path (Load::path), as fixed loads whose forces come and go.
 namespace voussoir::cases {
 
-/// A station of a load that moves: the share of the element that it meets there, and the force on it over time.
+/// A point of the path (station): the element that the load acts on there, and the force on it over time.
 struct MovingShare {
   LoadShare share;
   SupportHistory force;  // N, in place of m

@@ -10,20 +10,21 @@ namespace voussoir::solver {
 
 namespace {
 
-constexpr double kMostIterations = 100'000;                    // for a point
-constexpr double kShortestRamp = 50, kLongestRamp = 20'000;    // iterations
-constexpr double kRampPeriods = 0.25;                          // of the slowest motion in a ramp
-constexpr double kInertia = 0.5;                               // of a step of the load factor: what inertia may bear in a ramp
-constexpr double kFirstInertia = 2.5e-3;                       // of the weight, likewise, before there is a load factor
-constexpr double kQuietGrowth = 1.5, kGrowth = 1.1;            // of the increment, if nothing was damaged, and else
-constexpr double kQuietStep = 2.5, kElasticStep = 5.0;         // times Analysis::path_step, if nothing was damaged, or has been so far
-constexpr double kForeseen = 0.05;                             // open share of the motion to a point, at most, where the next may be far
-constexpr double kMostOfWay = 0.1, kElasticOfWay = 0.3;        // of the way so far; if nothing has been damaged
-constexpr double kFew = 5e-4;                                  // of all bonds: so many that slip or break count as none
-constexpr double kMuch = 2e-3;                                 // of all bonds: so many that break at once and the increment is halved
-constexpr double kOfLoad = 10.0, kStrictest = 0.1;             // of the tolerance at a load factor of 1 in each; at least
-constexpr double kLeast = 0.1;                                 // of the first increment
-constexpr double kSlower = 2.0, kFaster = 0.7, kSlowest = 64;  // of ramps, where the load factor goes beyond both of its points, and else
+constexpr double kMostIterations = 100'000;                  // for a point
+constexpr double kShortestRamp = 50, kLongestRamp = 20'000;  // iterations
+constexpr double kRampPeriods = 0.25;                        // of the slowest motion in a ramp
+constexpr double kInertia = 0.5;                             // of a step of the load factor: what inertia may bear in a ramp
+constexpr double kFirstInertia = 2.5e-3;                     // of the weight, likewise, before there is a load factor
+constexpr double kQuietGrowth = 1.5, kGrowth = 1.1;          // of the increment, if nothing was damaged, and else
+constexpr double kQuietStep = 2.5, kElasticStep = 5.0;       // times Analysis::path_step, if nothing was damaged, or has been so far
+constexpr double kForeseen = 0.05;                           // open share of the motion to a point, at most, where the next may be far
+constexpr double kMostOfWay = 0.1, kElasticOfWay = 0.3;      // of the way so far; if nothing has been damaged
+constexpr double kFew = 5e-4;                                // of all bonds: so many that slip or break count as none
+constexpr double kMuch = 2e-3;                               // of all bonds: so many that break at once and the increment is halved
+constexpr double kOfLoad = 10.0, kStrictest = 0.1;           // of the tolerance at a load factor of 1 in each; at least
+constexpr double kLeast = 0.1;                               // of the first increment
+// Factor on the length of ramps: after one in which the load factor exceeded both of its points, and after others; at most.
+constexpr double kSlower = 2.0, kFaster = 0.7, kSlowest = 64.0;
 
 }  // namespace
 

@@ -60,7 +60,7 @@ class Path {
     double clock = 0.0;
     double factor = 0.0, most_factor = 0.0, broken = 0.0, slipped = 0.0;  // at the last point; largest so far
     double highest = 0.0;                                                 // load factor, without its sign, on the way to the point ahead
-    double slower = 1.0;                                                  // times as long as a ramp would be
+    double slower = 1.0;                                                  // factor on the length of the next ramp
   };
 
   double tolerance_ = 0.0, step_ = 0.0;

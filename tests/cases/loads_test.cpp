@@ -115,6 +115,8 @@ TEST_CASE("push direction: along vertical loads that grow, else that of the anal
   cases::Case c = two_blocks();
   c.analysis.kind = cases::AnalysisKind::pushover, c.analysis.direction = {0.0, -2.0};
   CHECK(cases::push_direction(c) == Vec3{0.0, -1.0, 0.0});
+  c.analysis.direction = {0.0, -1e300};
+  CHECK(cases::push_direction(c) == Vec3{0.0, -1.0, 0.0});
   c.analysis.pattern = cases::LoadPattern::given;
   c.loads.push_back(weight_at({0.3, 0.2, 7.0}));
   c.loads[0].grows = true;

@@ -71,9 +71,8 @@ Table<Analysis> analysis_table() {
            "pattern", &S::pattern, "", {{"mass", LoadPattern::mass}, {"mode", LoadPattern::mode}, {"given", LoadPattern::given}},
            "pushover: forces as the masses, as the masses times the mode with most mass in `direction`, or the [[load]]s that grow"),
        value<S>("direction", &S::direction, "", any(),
-                "x and y of the push (where gravity turns to); of any length, -x pushes back. Where vertical loads grow, displacements "
-                "count along "
-                "them instead"),
+                "x and y of the push (where gravity turns to); of any length, -x pushes back. Where vertical loads grow, displacements are "
+                "measured along them"),
        value<S>(
            "control", &S::control, "m", any().possibly(0.0, usual::kFarthest),
            "the element whose centroid is nearest is the control point; none: the one on top nearest to the axis of the centre of mass; "

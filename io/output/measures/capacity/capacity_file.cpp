@@ -180,7 +180,7 @@ std::string capacity_text(const Capacity& c) {
     return text + "mechanism at the end " + list(c.mechanism_at_end) + "\n";
   }
   if (c.fallen_before > 0.0)
-    text += line("before the load", "%.1f %% of the mass fell while gravity was put on: these figures are those of what it left",
+    text += line("before the load", "%.1f %% of the mass fell while gravity was put on: these figures are of the state after the fall",
                  1e2 * c.fallen_before);
   const char* name = c.kind == AnalysisKind::tilt ? "multiplier" : "largest load factor";
   text += c.kind == AnalysisKind::cyclic ? line(name, "%.4f", c.multiplier)

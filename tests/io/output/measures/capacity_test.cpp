@@ -111,7 +111,7 @@ TEST_CASE("capacity: of what fell before the load began the text says so") {
   Capacity c = capacity_of(cases::AnalysisKind::pushover, 0.2, kPace, kWeight, 0.0, trilinear(7e-3));
   CHECK(capacity_text(c).find("while gravity was put on") == std::string::npos);
   c.fallen_before = 0.505;
-  CHECK(capacity_text(c).find("50.5 % of the mass fell while gravity was put on: these figures are those of what it left") !=
+  CHECK(capacity_text(c).find("50.5 % of the mass fell while gravity was put on: these figures are of the state after the fall") !=
         std::string::npos);
 }
 
