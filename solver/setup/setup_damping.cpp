@@ -32,7 +32,7 @@ std::vector<FaceClass> face_classes(const std::vector<kernels::Face>& faces) {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-/// Damping matrices of all elements, filled segment by segment.
+/// Damping matrices of all elements, filled segment by segment or face by face.
 class DampingMatrices {
  public:
   explicit DampingMatrices(World& w) : w_(w), c_(static_cast<std::size_t>(w.elements.count), Matrix6::Zero()) {
@@ -49,15 +49,22 @@ class DampingMatrices {
   }
 
   void add(std::int32_t element, std::int32_t face, const geometry::Frame& f, geometry::SegmentList segments) {
-    const geometry::Element& g = nth(w_.model.assembly.elements, element);
-    const auto [cn, cs] = nth(dashpot_, g.first_face + face);
-    const Eigen::Vector3d n(f.normal.x, f.normal.y, f.normal.z);
-    const Eigen::Matrix3d c = cs * Eigen::Matrix3d::Identity() + (cn - cs) * n * n.transpose();
-    for (const geometry::Segment& s : segments) {
-      const Vec3 r = f.centre + s.s * f.axis_s + s.t * f.axis_t - g.mass.centroid;
-      Eigen::Matrix<double, 3, 6> j;  // velocity of the point from (v, ω)
-      j << Eigen::Matrix3d::Identity(), (Eigen::Matrix3d() << 0, r.z, -r.y, -r.z, 0, r.x, r.y, -r.x, 0).finished();
-      nth(c_, element) += s.area * (j.transpose() * c * j);
+    const Eigen::Matrix3d c = dashpots(element, face, f.normal);
+    for (const geometry::Segment& s : segments) add_point(element, c, f.centre + s.s * f.axis_s + s.t * f.axis_t, s.area);
+  }
+
+  /// Adds a whole face, by its second moments alone, for which the middles of the edges of triangles are exact. With points up to the rim
+  /// the points of a face depend on how its free part was cut into convex pieces, and so on the order of its corners.
+  void add_whole(std::int32_t element, std::int32_t face) {
+    const geometry::Polyhedron& shape = nth(w_.model.blocks, element).shape;
+    const auto corner = [&](std::int32_t i) { return nth(shape.vertices, i); };
+    const auto& loop = nth(shape.faces, face);
+    const Vec3 n = nth(w_.model.assembly.faces, nth(w_.model.assembly.elements, element).first_face + face).normal;
+    const Eigen::Matrix3d c = dashpots(element, face, n);
+    for (std::size_t i = 2; i < loop.size(); ++i) {
+      const Vec3 p = corner(loop[0]), q = corner(loop[i - 1]), r = corner(loop[i]);
+      const double third = dot(cross(q - p, r - p), n) / 6.0;
+      for (const Vec3 at : {0.5 * (p + q), 0.5 * (q + r), 0.5 * (r + p)}) add_point(element, c, at, third);
     }
   }
 
@@ -74,10 +81,36 @@ class DampingMatrices {
   }
 
  private:
+  /// Largest dashpots of a face [Pa s/m].
+  [[nodiscard]] Eigen::Matrix3d dashpots(std::int32_t element, std::int32_t face, Vec3 normal) const {
+    const auto [cn, cs] = nth(dashpot_, nth(w_.model.assembly.elements, element).first_face + face);
+    const Eigen::Vector3d n(normal.x, normal.y, normal.z);
+    return cs * Eigen::Matrix3d::Identity() + (cn - cs) * n * n.transpose();
+  }
+
+  void add_point(std::int32_t element, const Eigen::Matrix3d& c, Vec3 at, double area) {
+    const Vec3 r = at - nth(w_.model.assembly.elements, element).mass.centroid;
+    Eigen::Matrix<double, 3, 6> j;  // velocity of the point from (v, ω)
+    j << Eigen::Matrix3d::Identity(), (Eigen::Matrix3d() << 0, r.z, -r.y, -r.z, 0, r.x, r.y, -r.x, 0).finished();
+    nth(c_, element) += area * (j.transpose() * c * j);
+  }
+
   const World& w_;
   std::vector<Matrix6> c_;
   std::vector<std::array<double, 2>> dashpot_;  // c_n, c_s by face
 };
+
+/// Adds the segments of elements first to last − 1.
+void add_segments(const geometry::Assembly& a, DampingMatrices& matrices, std::int64_t first, std::int64_t last) {
+  const auto add = [&](std::int32_t element, std::int32_t face, const geometry::Frame& frame, geometry::SegmentList segments) {
+    if (first <= element && element < last) matrices.add(element, face, frame, segments);
+  };
+  for (const geometry::Joint& j : a.joints) {
+    add(j.element_a, j.face_a, j.frame, j.side_a);
+    if (j.element_b != geometry::kBase) add(j.element_b, j.face_b, j.frame, j.merged ? j.side_a : j.side_b);
+  }
+  for (const geometry::FreePatch& p : a.patches) add(p.element, p.face, p.frame, p.segments);
+}
 
 }  // namespace
 
@@ -87,14 +120,14 @@ void set_up_damping_bound(World& w) {
   // Each range goes through all joints and adds to its own elements alone, so every element gets its segments in one order.
   const std::int64_t at_a_time = (w.elements.count + w.team.size() - 1) / w.team.size();
   w.team.share_out(w.elements.count, std::max<std::int64_t>(at_a_time, 1), [&](std::int64_t first, std::int64_t last) {
-    const auto add = [&](std::int32_t element, std::int32_t face, const geometry::Frame& frame, geometry::SegmentList segments) {
-      if (first <= element && element < last) matrices.add(element, face, frame, segments);
-    };
-    for (const geometry::Joint& j : a.joints) {
-      add(j.element_a, j.face_a, j.frame, j.side_a);
-      if (j.element_b != geometry::kBase) add(j.element_b, j.face_b, j.frame, j.merged ? j.side_a : j.side_b);
+    if (a.rule == geometry::SegmentRule::rim) {
+      for (std::int64_t i = first; i < last; ++i) {
+        for (std::int32_t f = 0; f < a.elements[static_cast<std::size_t>(i)].face_count; ++f)
+          matrices.add_whole(static_cast<std::int32_t>(i), f);
+      }
+    } else {
+      add_segments(a, matrices, first, last);
     }
-    for (const geometry::FreePatch& p : a.patches) add(p.element, p.face, p.frame, p.segments);
     for (std::int64_t i = first; i < last; ++i) {
       const auto e = static_cast<std::size_t>(i);
       if (!w.elements.fixed[e]) w.elements.body[e].beta = matrices.rate(e);

@@ -114,9 +114,26 @@ def any_turn(rng, case):
     return turn_all(case, R), Change(turn=R, detail=f"by {degrees} degrees")
 
 
+def two_grids_are_possible(case):
+    """Whether a face has two longest edges, neither parallel nor square to each other.
+
+    With "centres" the grid of the face follows one of them, and that of its mirror image the other.
+    """
+    for block in case.blocks:
+        for face in block.faces:
+            corners = numpy.asarray(block.vertices)[list(face)]
+            edges = numpy.roll(corners, -1, axis=0) - corners
+            lengths = numpy.linalg.norm(edges, axis=1)
+            longest = edges[lengths > (1.0 - 1e-6) * lengths.max()] / lengths.max()
+            cosines = numpy.abs(longest @ longest[0])
+            if ((cosines > 1e-6) & (cosines < 1.0 - 1e-6)).any():
+                return True
+    return False
+
+
 def mirrored(rng, case):
     """Its mirror image: x, or y, with the other sign."""
-    if case.house:
+    if case.house or (case.rule == "centres" and two_grids_are_possible(case)):
         return None
     R = numpy.diag(rng.choice([(-1.0, 1.0, 1.0), (1.0, -1.0, 1.0)]))
     out = turn_all(case, R)

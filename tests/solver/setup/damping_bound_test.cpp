@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -72,6 +73,48 @@ TEST_CASE("the largest dashpots of faces are, bit by bit, those of the plain loo
   solver::Team team(2);
   CHECK(solver::worst_dashpots(random_classes(20, Kind::any), 0.0, team).front() == std::array{0.0, 0.0});
   CHECK(solver::worst_dashpots({}, 1.0, team).empty());
+}
+
+TEST_CASE("with points up to the rim the bounds of damping rates are those of the model turned, mirrored and with another first corner") {
+  // A prism on another twice as wide. The points of the free part of the lower one's top depend on how it is cut into convex pieces.
+  const int n = 7;
+  const auto prism = [&](int first, double turn, double side, double low, double radius) {
+    cases::BlockSpec b;
+    b.name = low > 0.0 ? "upper" : "lower", b.material = "stone";
+    for (const double z : {low, low + 0.3}) {
+      for (int i = 0; i < n; ++i) {
+        const int k = side > 0.0 ? i + first : first - i;
+        const double angle = 2.0 * std::numbers::pi * k / n, r = radius * (1.0 + 0.05 * ((k + n) % n));
+        const double x = side * r * std::cos(angle), y = r * std::sin(angle);
+        b.vertices.push_back({x * std::cos(turn) - y * std::sin(turn), x * std::sin(turn) + y * std::cos(turn), z});
+      }
+    }
+    b.faces.resize(2);
+    for (int i = 0; i < n; ++i) {
+      b.faces[0].insert(b.faces[0].begin(), i), b.faces[1].push_back(n + i);
+      b.faces.push_back({i, (i + 1) % n, n + (i + 1) % n, n + i});
+    }
+    return b;
+  };
+  const auto bounds_of = [&](int first, double turn, double side) {
+    cases::Case c;
+    c.materials["stone"] = {2000.0, 5e9, 0.2};
+    c.base = cases::Base{};
+    c.segment_rule = geometry::SegmentRule::rim, c.segment_size = 0.1;
+    c.blocks = {prism(first, turn, side, 0.0, 0.6), prism(first, turn, side, 0.3, 0.3)};
+    const cases::Model model = cases::build_model(c);
+    const std::unique_ptr<solver::World> world = solver::build_world(c, model, {});
+    return std::array{world->elements.body[0].beta, world->elements.body[1].beta};
+  };
+  const auto expected = bounds_of(0, 0.0, 1.0);
+  for (const int first : {0, 1, 4}) {
+    for (const double turn : {0.0, 1.0, 4.0}) {
+      for (const double side : {1.0, -1.0}) {
+        const auto found = bounds_of(first, turn, side);
+        for (std::size_t k = 0; k < 2; ++k) CHECK(found[k] == doctest::Approx(expected[k]).epsilon(1e-12));
+      }
+    }
+  }
 }
 
 TEST_CASE("the bounds of damping rates are the same bit by bit, however many threads set up the model") {
