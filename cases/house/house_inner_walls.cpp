@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cases/house/house_thickness.h"
 #include "cases/input_error.h"
 #include "cases/names.h"
 #include "geometry/nth.h"
@@ -66,8 +67,7 @@ void plan_inner_wall(const House& house, std::size_t i, int storey, HousePlan& p
   wall.along_x = inner.along == PlanAxis::x;
   wall.at = positive_length(inner.at, indexed_key("house.inner_wall", i, "at"));
   wall.length = plan.outer[wall.along_x ? 0 : 1];
-  wall.thickness =
-      multiple_or_nearest(inner.thickness, plan.brick_width, indexed_key("house.inner_wall", i, "thickness"), "brick widths", plan.faults);
+  wall.thickness = wall_thickness(inner.thickness, plan, indexed_key("house.inner_wall", i, "thickness"), plan.faults);
   wall.corner = plan.wall(wall.along_x ? Side::left : Side::front, storey).thickness;
   wall.height = nth(plan.storeys, storey);
   check_place(house, i, wall, plan);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cases/house/house_inner_walls.h"
+#include "cases/house/house_thickness.h"
 #include "cases/input_error.h"
 #include "cases/names.h"
 
@@ -31,7 +32,7 @@ Sizes sizes_of(const House& house, std::size_t index, const HousePlan& plan) {
   const Pier& pier = house.piers[index];
   Sizes s;
   const Tick from = positive_length(pier.from, pier_key(index, "from"));
-  s.along = {from, from + multiple_of(pier.width, plan.brick_width, pier_key(index, "width"), "brick widths")};
+  s.along = {from, from + wall_thickness(pier.width, plan, pier_key(index, "width"))};
   s.depth = positive_length(pier.depth, pier_key(index, "depth"));
   if (s.depth < plan.shortest_piece())
     throw InputError(pier_key(index, "depth"),

@@ -7,6 +7,7 @@
 
 #include "cases/house/house_inner_walls.h"
 #include "cases/house/house_openings.h"
+#include "cases/house/house_thickness.h"
 #include "cases/house/house_wall.h"
 #include "cases/input_error.h"
 #include "cases/names.h"
@@ -60,10 +61,6 @@ void plan_bricks(const House& house, HousePlan& plan) {
   }
 }
 
-Tick thickness_of(double value, HousePlan& plan, const std::string& key) {
-  return multiple_or_nearest(value, plan.brick_width, key, "brick widths", plan.faults);
-}
-
 /// Sets the heights of the storeys, from the bottom up.
 void plan_storeys(const House& house, HousePlan& plan) {
   plan.height = positive_length(house.height, "house.height");
@@ -77,15 +74,15 @@ void plan_storeys(const House& house, HousePlan& plan) {
 
 /// Thicknesses of the bearing and the other walls, by storey.
 std::vector<std::array<Tick, 2>> plan_thicknesses(const House& house, HousePlan& plan) {
-  std::vector<std::array<Tick, 2>> all{
-      {thickness_of(house.bearing_wall, plan, "house.bearing_wall"), thickness_of(house.nonbearing_wall, plan, "house.nonbearing_wall")}};
+  std::vector<std::array<Tick, 2>> all{{wall_thickness(house.bearing_wall, plan, "house.bearing_wall", plan.faults),
+                                        wall_thickness(house.nonbearing_wall, plan, "house.nonbearing_wall", plan.faults)}};
   for (std::size_t i = 0; i < house.storeys.size(); ++i) {
     const std::array given{house.storeys[i].bearing_wall, house.storeys[i].nonbearing_wall};
     std::array<Tick, 2> here = all.back();
     for (std::size_t k = 0; k < 2; ++k) {
       if (!given[k]) continue;
       const std::string key = indexed_key("house.storey", i, k == 0 ? "bearing_wall" : "nonbearing_wall");
-      here[k] = thickness_of(*given[k], plan, key);
+      here[k] = wall_thickness(*given[k], plan, key, plan.faults);
       if (here[k] <= all.back()[k]) continue;
       plan.faults.add({key, text(*given[k]) + " m is thicker than the wall below; at most " + text(metres(all.back()[k])) + " m"});
       here[k] = all.back()[k];
@@ -220,22 +217,6 @@ Tick positive_length(double value, const std::string& key) {
     throw InputError(key, text(value) + " m is out of range; allowed: above 0, at most " + text(kLongest) + " m");
   }
   return ticks(value);
-}
-
-Tick multiple_of(double value, Tick unit, const std::string& key, const char* unit_name) {
-  const Tick length = positive_length(value, key);
-  if (length % unit != 0) {
-    const Tick nearest = std::max<Tick>(1, (length + unit / 2) / unit) * unit;
-    throw InputError(key, text(value) + " m is not a whole number of " + unit_name + " of " + text(metres(unit)) +
-                              " m; nearest: " + text(metres(nearest)) + " m");
-  }
-  return length;
-}
-
-Tick multiple_or_nearest(double value, Tick unit, const std::string& key, const char* unit_name, Faults& faults) {
-  Tick length = std::max<Tick>(1, (positive_length(value, key) + unit / 2) / unit) * unit;
-  faults.attempt([&] { length = multiple_of(value, unit, key, unit_name); });
-  return length;
 }
 
 std::array<double, 3> brick_with_mortar(const House& house) noexcept {

@@ -136,12 +136,6 @@ std::vector<Interval> free_spans(const HousePlan& plan, const WallPlan& wall, in
 /// A positive length as ticks. \throw InputError at `key` if it is not above zero, or beyond 10 km.
 Tick positive_length(double value, const std::string& key);
 
-/// A positive length that must be a multiple of `unit`. \throw InputError at `key` with the nearest length that fits.
-Tick multiple_of(double value, Tick unit, const std::string& key, const char* unit_name);
-
-/// The same, or the nearest length that fits with the fault in `faults`. \throw InputError if it is not above zero, or beyond 10 km
-Tick multiple_or_nearest(double value, Tick unit, const std::string& key, const char* unit_name, Faults& faults);
-
 /// Element length of a member of the length `member`. \throw InputError at `key` if it is not above zero, or would give more than a
 /// thousand elements.
 Tick element_length(double value, Tick member, const std::string& key);

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "cases/house/house_parts.h"
+#include "cases/house/house_thickness.h"
 #include "cases/house/walls/arches.h"
 #include "cases/house/walls/prism.h"
 #include "cases/house/walls/rubble.h"
@@ -67,16 +68,22 @@ void join_headers(const HousePlan& plan, int course, Interval leaf, bool full_he
   const Tick width = plan.brick_width;
   const std::vector<Wythe> layers = wythes(plan, leaf.length(), course);
   if (layers[0].header == 0) return;
+  const auto layer_of = [&](Interval depth) {
+    const auto same = [&](const Wythe& w) { return w.depth.low + leaf.low == depth.low && w.depth.high + leaf.low == depth.high; };
+    return std::ranges::find_if(layers, same) - layers.begin();
+  };
+  const auto count = static_cast<std::ptrdiff_t>(layers.size());
   const Tick period = layers[0].header + layers[0].unit, offset = layers[0].offset;
   const auto begins_header = [&](const LaidBrick& b) {
-    const Tick middle = (b.along.low + b.along.high) / 2 - offset, layer = (b.depth.low - leaf.low) / width;
+    const Tick middle = (b.along.low + b.along.high) / 2 - offset;
     const bool in_header = (middle % period + period) % period < width;
-    return layer % 2 == (in_header ? 0 : 1);
+    return layer_of(b.depth) % 2 == (in_header ? 0 : 1);
   };
   for (std::size_t i = 0; i < bricks.size(); ++i) {
     const LaidBrick first = bricks[i];
-    if (first.depth.low < leaf.low || first.depth.high >= leaf.high || first.depth.length() != width || !begins_header(first)) continue;
-    const Interval next{first.depth.high, first.depth.high + width};
+    const std::ptrdiff_t layer = layer_of(first.depth);
+    if (layer + 1 >= count || !begins_header(first)) continue;
+    const Interval behind = nth(layers, layer + 1).depth, next{behind.low + leaf.low, behind.high + leaf.low};
     const auto second = std::ranges::find_if(bricks, [&](const LaidBrick& b) { return b.along == first.along && b.depth == next; });
     if (second == bricks.end()) continue;
     bricks[i] = {first.along, {first.depth.low, next.high}, full_height && first.along.length() == width};
@@ -106,7 +113,7 @@ std::vector<Interval> through_stones(const House& house, const HousePlan& plan, 
   const ThroughStones& through = *house.leaves->through;
   if (course % through.every != through.every / 2) return {};
   const Tick spacing = ticks(through.spacing), width = plan.brick_width;
-  const bool stretchers = plan.bond == Bond::running || wall.leaf == width;
+  const bool stretchers = plan.bond == Bond::running || widths_through(plan, wall.leaf) == 1;
   const Tick grid = stretchers || course % 2 == 1 ? width / 2 : 0;  // so that no joint continues beside the stone
   const bool second_row = course / through.every % 2 == 1;
   const std::vector<Interval> spans = free_spans(plan, wall, course, {0, wall.thickness});
@@ -197,35 +204,36 @@ std::vector<Wythe> wythes(const HousePlan& plan, Tick thickness, int course) {
   const Tick length = plan.brick_length;
   const Tick width = plan.brick_width;
   const bool even = course % 2 == 0;
+  const Tick count = widths_through(plan, thickness);
   std::vector<Wythe> result;
-  Tick at = 0;
-  const auto add = [&](Tick depth, Tick unit, Tick offset) {
-    result.push_back({{at, at + depth}, unit, offset});
-    at += depth;
+  Tick at = 0;  // in brick widths
+  const auto add = [&](Tick widths, Tick unit, Tick offset) {
+    result.push_back({{depth_of_widths(plan, thickness, at), depth_of_widths(plan, thickness, at + widths)}, unit, offset});
+    at += widths;
   };
   if (plan.bond == Bond::rubble) {
-    add(thickness, length, 0);
-  } else if (plan.bond == Bond::running || thickness == width) {
-    while (at < thickness) {
-      add(width, length, even ? 0 : length / 2);
+    add(count, length, 0);
+  } else if (plan.bond == Bond::running || count == 1) {
+    while (at < count) {
+      add(1, length, even ? 0 : length / 2);
       result.back().half_at_edge = true;
     }
-  } else if (plan.bond == Bond::flemish && thickness % length == 0) {
+  } else if (plan.bond == Bond::flemish && count % 2 == 0) {
     const Tick offset = even ? 0 : length / 4 * 3;
-    while (at < thickness) {
-      const bool face = at == 0 || at + width == thickness;
-      add(width, face ? length : width, offset);
-      if (face) result.back().header = width;
+    while (at < count) {
+      const bool face = at == 0 || at + 1 == count;
+      add(1, face ? length : width, offset);
+      face ? result.back().header = width : result.back().core = true;
     }
-  } else if (plan.bond == Bond::header && thickness == length) {
-    add(length, width, even ? 0 : width / 2);
+  } else if (plan.bond == Bond::header && count == 2) {
+    add(2, width, even ? 0 : width / 2);
   } else if (even) {
-    while (at + length <= thickness) add(length, width, 0);
-    if (at < thickness) add(width, length, 0);
+    while (at + 2 <= count) add(2, width, 0);
+    if (at < count) add(1, length, 0);
   } else {
-    add(width, length, length / 4);
-    while (at + length <= thickness) add(length, width, length / 4);
-    if (at < thickness) add(width, length, length / 4);
+    add(1, length, length / 4);
+    while (at + 2 <= count) add(2, width, length / 4);
+    if (at < count) add(1, length, length / 4);
   }
   return result;
 }
@@ -274,7 +282,7 @@ std::vector<LaidBrick> lay_course(const House& house, const HousePlan& plan, con
   for (const Wythe& wythe : wythes(plan, wall, course)) {
     for (const Interval span : without(free_spans(plan, wall, course, wythe.depth), stones)) {
       for (const Interval along : divide(span, wythe, plan.brick_length)) {
-        const bool is_unit = along.length() == wythe.unit && !(plan.bond == Bond::flemish && wythe.unit == wythe.depth.length());
+        const bool is_unit = along.length() == wythe.unit && !wythe.core;
         bricks.push_back({along, wythe.depth, full_height && is_unit});
       }
     }
@@ -304,14 +312,15 @@ void plan_leaves(const House& house, HousePlan& plan) {
   for (const Side side : chosen_walls(plan, leaves.walls, "house.leaves")) {
     for (WallPlan& wall : plan.walls) {
       if (!wall.outer() || wall.side != side) continue;
-      const Tick half = wall.thickness / plan.brick_width / 2 * plan.brick_width;
-      const Tick outer = leaves.outer ? multiple_of(*leaves.outer, plan.brick_width, "house.leaves.outer", "brick widths") : half;
-      if (outer > 0 && outer < wall.thickness) wall.leaf = outer;
+      const Tick widths = widths_through(plan, wall.thickness), half = depth_of_widths(plan, wall.thickness, widths / 2);
+      const Tick outer = leaves.outer ? wall_thickness(*leaves.outer, plan, "house.leaves.outer") : half;
+      if (outer > 0 && 3 * (wall.thickness - outer) >= 2 * plan.brick_width) wall.leaf = outer;
       if (wall.leaf > 0 || wall.storey > 0) continue;
       throw InputError(leaves.outer ? "house.leaves.outer" : "house.leaves",
                        "the " + wall_name(house, wall) + " of " + text(metres(wall.thickness)) + " m has no room for two leaves" +
                            (leaves.outer ? ", the outer one of " + text(*leaves.outer) + " m" : std::string()) +
-                           "; name thicker ones in house.leaves.walls, each leaf at least " + text(metres(plan.brick_width)) + " m");
+                           "; name thicker ones in house.leaves.walls, each leaf at least two thirds of a brick's width, " +
+                           metres_text((2 * plan.brick_width + 2) / 3) + " m");
     }
   }
 }

@@ -21,7 +21,8 @@ struct LaidBrick {
 struct Wythe {
   Interval depth;
   Tick unit = 0, offset = 0;
-  Tick header = 0;  // length of the header before each unit; 0: none
+  Tick header = 0;    // length of the header before each unit; 0: none
+  bool core = false;  // between the faces of a wall in Flemish bond: its pieces are halves of headers
   /// Whether a remainder at an edge is divided with the half brick at the edge. Needed where the course above is shifted by half a brick:
   /// its joint lies half a brick plus the remainder from the edge.
   bool half_at_edge = false;
@@ -29,7 +30,7 @@ struct Wythe {
 
 /// The layers of a course from the outer face inwards.
 ///
-/// English bond, n = thickness / brick width. Even courses: rows of headers; odd courses: a stretcher at the outer face, headers as core, a
+/// English bond, n = widths_through(). Even courses: rows of headers; odd courses: a stretcher at the outer face, headers as core, a
 /// stretcher at the inner face, all shifted by a quarter brick. With n odd the even course ends in a stretcher at the inner face and the
 /// odd course has none at the inner face. Running bond, and any wall one brick width thick: n stretchers, every second course shifted by
 /// half a brick. Rubble counts as one layer; walls/rubble.h divides it.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cases/house/house_parts.h"
+#include "cases/house/house_wall.h"
 #include "cases/house/walls/ground.h"
 #include "cases/input_error.h"
 #include "cases/names.h"
@@ -57,14 +58,30 @@ std::vector<Interval> beams_in(Interval room, Tick width, Tick spacing) {
   return beams;
 }
 
+/// Refuses a bearing that leaves less than half a brick's width of a brick behind the beams.
+void check_piece_behind(const Floor& floor, std::size_t index, const WallPlan& wall, Tick depth, const HousePlan& plan) {
+  const Tick behind = wall.thickness - depth, least = plan.brick_width / 2;
+  for (const int course : {0, 1}) {
+    for (const Wythe& layer : wythes(plan, wall, course)) {
+      const Tick piece = behind - layer.depth.low;
+      if (piece <= 0 || piece >= least || behind >= layer.depth.high) continue;
+      throw InputError(floor_key(index, "bearing"), text(floor.bearing) + " m leaves " + metres_text(piece) + " m of bricks of the " +
+                                                        name(wall.side) + " wall behind the beams; at least " + metres_text(least) +
+                                                        " m, or none; nearest: " + metres_text(depth + piece) + " or " +
+                                                        metres_text(depth + piece - least) + " m");
+    }
+  }
+}
+
 /// Depth of the pockets of a floor in a wall under it; nothing where the beams run parallel to the wall.
 std::optional<Interval> pocket_depth(const Floor& floor, std::size_t index, const WallPlan& wall, const HousePlan& plan) {
   if (wall.pier >= 0 || wall.along_x == (floor.along == PlanAxis::x)) return std::nullopt;
   if (wall.inner >= 0) return Interval{0, wall.thickness};
-  const Tick depth = multiple_of(floor.bearing, plan.brick_width, floor_key(index, "bearing"), "brick widths");
+  const Tick depth = positive_length(floor.bearing, floor_key(index, "bearing"));
   if (depth > wall.thickness)
     throw InputError(floor_key(index, "bearing"), text(floor.bearing) + " m is deeper than the " + name(wall.side) + " wall; at most " +
                                                       metres_text(wall.thickness) + " m");
+  check_piece_behind(floor, index, wall, depth, plan);
   return Interval{wall.thickness - depth, wall.thickness};
 }
 
@@ -120,7 +137,7 @@ FloorPlan lay_beams(const House& house, std::size_t index, const HousePlan& plan
   FloorPlan laid;
   laid.height = {walls.high - height, walls.high};
   const BeamEnds ends = ends_of(floor);
-  const Tick bearing = multiple_of(floor.bearing, plan.brick_width, floor_key(index, "bearing"), "brick widths");
+  const Tick bearing = positive_length(floor.bearing, floor_key(index, "bearing"));
   laid.length = {plan.wall(ends.low, storey).thickness - bearing,
                  plan.outer[floor.along == PlanAxis::x ? 0 : 1] - plan.wall(ends.high, storey).thickness + bearing};
   element_length(floor.element, laid.length.length(), floor_key(index, "element"));

@@ -15,6 +15,7 @@
 
 #include "cases/case.h"
 #include "cases/census.h"
+#include "cases/house/house_thickness.h"
 #include "cases/levers.h"
 #include "cases/model.h"
 #include "cases/names.h"
@@ -104,6 +105,17 @@ void print_bill(const cases::Census& n, const cases::Model& m) {
     const std::string what =
         nth(m.materials, line.material).name + " " + cases::name(line.kind) + (line.whole ? ", " : ", cut, ") + dimensions(line);
     std::printf("%-52s %10s %12.4f\n", what.c_str(), format_count(line.count).c_str(), line.volume);
+  }
+}
+
+/// Prints walls whose bricks were made wider or narrower for a true thickness.
+void print_adapted_walls(const cases::Case& c) {
+  if (!c.house) return;
+  const char* title = "bricks adapted";
+  for (const cases::AdaptedWall& w : cases::adapted_walls(*c.house)) {
+    std::printf("%s%-24s %s: %d of %.4g m in place of %.4g m through %.4g m\n", *title == '\0' ? "" : "\n", title, w.name.c_str(), w.bricks,
+                w.width, w.nominal_width, w.thickness);
+    title = "";
   }
 }
 
@@ -315,6 +327,7 @@ int check(const LoadedCase& c, const CheckOptions& o, int threads) {
   print_loading(c.value, motion);
   print_parts(n);
   print_bill(n, model);
+  print_adapted_walls(c.value);
   print_tie_bill(model);
   const bool sound = print_estimate(c.value, n, sim);
   if (!o.draw.empty()) {

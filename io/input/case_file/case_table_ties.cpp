@@ -182,7 +182,7 @@ Table<Floor> house_floor_table() {
        value<S>("spacing", &S::spacing, "m", above(0.0).usually(usual::kBeamSpacing),
                 "from axis to axis; in each room as many as fit, the rest at both ends"),
        value<S>("bearing", &S::bearing, "m", above(0.0).usually(usual::kThickness),
-                "depth of the pockets in the outer walls, a whole number of brick widths"),
+                "depth of the pockets in the outer walls; half a brick's width or more of a brick stays behind"),
        value<S>("element", &S::element, "m", above(0.0).usually(usual::kMember), "length of an element of a beam"),
        value<S>("load", &S::load, "kg/m2", at_least(0.0).usually(usual::kAreaLoad),
                 "mass of boards and all on them; each beam has load x spacing x its length"),

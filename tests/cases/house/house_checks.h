@@ -101,9 +101,10 @@ inline void check_nothing_unjoined(const Model& m) {
   CHECK(unjoined == 0);
 }
 
-/// Bricks are at least half a brick long (behind a beam that is narrower as long as that is wide) and half a course high, and no face of
-/// them is nearer to the centroid than an eighth of a course.
-inline void check_no_slivers(const Model& m, const House& h) {
+/// Bricks are at least two thirds of a brick wide, half a brick long (behind a beam that is narrower as long as that is wide) and half a
+/// course high, and no face of them is nearer to the centroid than an eighth of a course. \param true_to_thickness  walls are no whole
+/// number of brick widths thick
+inline void check_no_slivers(const Model& m, const House& h, bool true_to_thickness = false) {
   const std::array<double, 3> whole{h.brick[0] + h.mortar, h.brick[1] + h.mortar, h.brick[2] + h.mortar};
   const double brick = whole[0] * whole[1] * whole[2];
   double least = 1.0, nearest = 1.0;
@@ -116,6 +117,7 @@ inline void check_no_slivers(const Model& m, const House& h) {
   }
   double narrow = 1.0;
   for (const Floor& f : h.floors) narrow = std::min(narrow, f.beam[0] / (0.5 * whole[0]));
+  if (true_to_thickness) narrow *= h.floors.empty() ? 2.0 / 3.0 : 0.5;  // behind a beam half a brick's width
   if (h.bond == Bond::rubble) narrow *= 0.6;  // stones within the wall are less deep, and their beds rise and fall
   CHECK(least > 0.25 * narrow - 1e-9);
   CHECK(nearest > 0.125);

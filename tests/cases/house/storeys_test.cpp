@@ -140,7 +140,7 @@ TEST_CASE("storeys and inner walls: what is refused") {
   check_refused(c, Change([](House& h) { h.storeys[0].height = 0.03; }), "house.storey[0].height", "nearest");
   check_refused(c, Change([](House& h) { h.storeys[0].bearing_wall = 0.4; }), "house.storey[0].bearing_wall",
                 "0.4 m is thicker than the wall below; at most 0.2 m");
-  check_refused(c, Change([](House& h) { h.storeys[0].nonbearing_wall = 0.15; }), "house.storey[0].nonbearing_wall", "nearest: 0.2 m");
+  check_refused(c, Change([](House& h) { h.storeys[0].nonbearing_wall = 0.05; }), "house.storey[0].nonbearing_wall", "two thirds of a brick");
   check_refused(c, Change([](House& h) { h.openings = {opening("front", 0.6, 0.6, 0.0, 0.2)}, h.openings[0].storey = 3; }),
                 "house.opening[0].storey", "there is no storey 3; allowed: 1 to 2");
   check_refused(c, Change([](House& h) { h.openings = {opening("front", 0.6, 0.6, 0.0, 0.5)}, h.openings[0].storey = 2; }),
@@ -150,7 +150,7 @@ TEST_CASE("storeys and inner walls: what is refused") {
                 "is too near to house.inner_wall[0]; allowed: at most 0.7 m, or 1.3 m and more");
   check_refused(c, Change([&](House& h) { middle(h).name = "front"; }), "house.inner_wall[0].name", "the name of an outer wall");
   check_refused(c, Change([&](House& h) { middle(h), middle(h).at = 0.5; }), "house.inner_wall[1].name", "already the name of");
-  check_refused(c, Change([&](House& h) { middle(h).thickness = 0.25; }), "house.inner_wall[0].thickness", "nearest");
+  check_refused(c, Change([&](House& h) { middle(h).thickness = 0.05; }), "house.inner_wall[0].thickness", "two thirds of a brick");
   check_refused(c, Change([&](House& h) { middle(h).storeys = {3}; }), "house.inner_wall[0].storeys[0]", "allowed: 1 to 2");
   check_refused(c, Change([&](House& h) { middle(h), h.openings = {opening("front", 0.6, 0.6, 0.0, 0.2)}; }), "house.opening[0].from",
                 "where the middle wall meets the front wall, from 1 to 1.2 m");

@@ -69,11 +69,11 @@ TEST_CASE("all faults of a case are told, each on a line of its own") {
   REQUIRE(voussoir("new house " + shell::quoted(folder.path("a.toml"))).code == 0);
   const Outcome o =
       voussoir("check " + shell::quoted(folder.path("a.toml")) +
-               " --set house.bearing_wall=0.5 --set house.opening[1].wall=frnt --set house.opening[0].sill=0.05 --set joints.default=morta");
+               " --set house.bearing_wall=0.1 --set house.opening[1].wall=frnt --set house.opening[0].sill=0.05 --set joints.default=morta");
   CHECK(o.code == 2);
   CAPTURE(o.text);
   CHECK(std::count(o.text.begin(), o.text.end(), '\n') == 4);
-  for (const char* words : {"house.bearing_wall = 0.5 m is not a whole number of brick widths", "did you mean \"front\"?",
+  for (const char* words : {"house.bearing_wall = 0.1 m is less than two thirds of a brick's width", "did you mean \"front\"?",
                             "did you mean \"mortar\"?", "house.opening[0].sill"}) {
     CAPTURE(words);
     CHECK(says(o, words));

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "cases/house/house_thickness.h"
+
+#include <algorithm>
+
+#include "cases/input_error.h"
+#include "cases/names.h"
+
+namespace voussoir::cases {
+namespace {
+
+/// Two thirds of a brick's width.
+Tick least_thickness(const HousePlan& plan) noexcept { return (2 * plan.brick_width + 2) / 3; }
+
+}  // namespace
+
+Tick widths_through(const HousePlan& plan, Tick thickness) noexcept {
+  const Tick width = plan.brick_width, nearest = std::max<Tick>(1, (2 * thickness + width) / (2 * width));
+  return 3 * thickness > 4 * width * nearest ? nearest + 1 : nearest;
+}
+
+Tick depth_of_widths(const HousePlan& plan, Tick thickness, Tick k) noexcept { return k * thickness / widths_through(plan, thickness); }
+
+Tick wall_thickness(double value, const HousePlan& plan, const std::string& key) {
+  const Tick thickness = positive_length(value, key), least = least_thickness(plan);
+  if (thickness < least)
+    throw InputError(key, text(value) + " m is less than two thirds of a brick's width; at least " + metres_text(least) + " m");
+  return thickness;
+}
+
+Tick wall_thickness(double value, const HousePlan& plan, const std::string& key, Faults& faults) {
+  Tick thickness = std::max(positive_length(value, key), least_thickness(plan));
+  faults.attempt([&] { thickness = wall_thickness(value, plan, key); });
+  return thickness;
+}
+
+std::vector<AdaptedWall> adapted_walls(const House& house) {
+  std::vector<AdaptedWall> all;
+  if (house.bond == Bond::rubble) return all;
+  const HousePlan plan = plan_house(house);
+  const auto add = [&](const std::string& name, Tick thickness) {
+    const Tick count = widths_through(plan, thickness);
+    if (thickness == count * plan.brick_width) return;
+    all.push_back(
+        {name, metres(thickness), static_cast<int>(count), metres(thickness) / static_cast<double>(count), metres(plan.brick_width)});
+  };
+  for (const WallPlan& wall : plan.walls) {
+    if (!wall.built) continue;
+    const std::string name = wall_tag(house, wall);
+    if (wall.leaf == 0) {
+      add(name, wall.thickness);
+    } else {
+      add(name + ", outer leaf", wall.leaf);
+      add(name + ", inner leaf", wall.thickness - wall.leaf);
+    }
+  }
+  return all;
+}
+
+}  // namespace voussoir::cases
