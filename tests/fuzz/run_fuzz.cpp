@@ -112,8 +112,7 @@ struct Samples {
   std::vector<std::string> summaries;
 
   Samples() {
-    for (int schema = 1; schema <= io::test::kSampleSchemas; ++schema) {
-      if (!io::test::has_sample(schema)) continue;
+    for (int schema = io::kOldestSchema; schema <= io::test::kSampleSchemas; ++schema) {
       schemas.push_back(schema);
       write(folder.good(schema), io::test::sample_run(schema));
       images.emplace_back(folder.good(schema));

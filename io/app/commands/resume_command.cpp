@@ -141,7 +141,7 @@ int resume(const ResumeOptions& o) {
   check_results(run, found, c);
   const Extent there = extent_of(run);
   if (!o.until && there.finished && there.merged) {
-    remove_parts(folder.path(), 0);  // a kill at the very end leaves some, whose rows are in run.h5
+    remove_parts(folder.path(), {});  // a kill at the very end leaves some, whose rows are in run.h5
     std::printf("%s is finished, to %.3f s; --until T goes on\n", folder.path().c_str(), there.end);
     write_views(folder.path(), o.views);
     return kDone;

@@ -249,7 +249,9 @@ void check_reserved_names(const Case& c, const RuleCheck& check) {
 
 }  // namespace
 
-Table<Case> case_table() {
+namespace {
+
+Table<Case> whole_case() {
   using S = Case;
   return {"the whole case",
           {value<S>("title", &S::title, "", any(), "one line, for lists and reports"),
@@ -275,6 +277,13 @@ Table<Case> case_table() {
            table<S>("tie", &S::ties, tie_table()),
            table<S>("base", &S::base, base_table())},
           [](const Case& c, const RuleCheck& check) { check_reserved_names(c, check), check_analysis(c, check); }};
+}
+
+}  // namespace
+
+const Table<Case>& case_table() {
+  static const Table<Case> table = whole_case();
+  return table;
 }
 
 }  // namespace voussoir::io

@@ -18,7 +18,7 @@ namespace voussoir::io {
 
 inline constexpr double kShortestVector = 1e-100;  // shorter vectors have no direction, since their square is 0
 
-Table<cases::Case> case_table();
+const Table<cases::Case>& case_table();
 Table<cases::JointLaw> joint_law_table();
 Table<cases::House> house_table();
 Table<cases::Motion> motion_table();

@@ -20,6 +20,9 @@ Hdf5File open_run(const std::string& path) {
   if (version > kResultsSchema)
     throw FileError(run.path(), "has schema_version " + std::to_string(version) + "; this program reads up to " +
                                     std::to_string(kResultsSchema) + ": a later program wrote it");
+  if (version < kOldestSchema)
+    throw FileError(run.path(), "has schema_version " + std::to_string(version) + "; this program reads from " +
+                                    std::to_string(kOldestSchema) + " on: a program of before 28 November 2026 wrote it");
   if (!run.sealed() && version >= kSealedSchema) throw FileError(run.path(), "is damaged: it has lost its seal");
   if (!run.sealed())
     std::fprintf(stderr, "voussoir: note: %s: not sealed (schema %lld): damage to it may stay unnoticed\n", run.path().c_str(),

@@ -119,13 +119,14 @@ ResultsWriter::ResultsWriter(std::string folder, const cases::Model& model, std:
   if (error) throw FileError(folder_ + "/parts", "cannot make the folder: " + error.message());
   write_run(false);
   // Only now run.h5 no longer refers to the dropped parts.
-  remove_parts(folder_, parts_.size());
+  remove_parts(folder_, parts_);
   std::filesystem::create_directory(folder_ + "/parts", error);
 }
 
 ResultsWriter::~ResultsWriter() {
   try {
     if (!finished_) flush();
+    if (!stale_) remove_replaced();
   } catch (...) {  // no caller to report to
   }
 }
@@ -133,9 +134,10 @@ ResultsWriter::~ResultsWriter() {
 void ResultsWriter::continue_earlier() {
   parts_ = keep_parts(folder_, schema_, *options_.earlier);
   for (std::size_t t = 0; t < kRowTables; ++t) buffers_[t].continue_after(last_time(folder_, static_cast<RowTable>(t), parts_));
-  for (const Part& p : parts_)
-    for (std::size_t t = 0; t < kRowTables; ++t)
-      for (const ColumnSpec& c : schema_[t]) bytes_on_disk_ += p.rows[t] * c.row_bytes();
+  for (const Part& p : parts_) {
+    bytes_on_disk_ += row_bytes(schema_, p);
+    next_part_ = std::max(next_part_, part_number(p.file.substr(p.file.find('/') + 1)).value_or(0) + 1);
+  }
 }
 
 void ResultsWriter::history(double time, std::span<const solver::HistorySample> samples) {
@@ -289,7 +291,8 @@ void ResultsWriter::write_buffers() {
   std::size_t bytes = 0;
   for (const RowBuffer& b : buffers_) bytes += b.bytes();
   if (bytes == 0) return;
-  parts_.push_back(write_part(folder_, part_name(parts_.size()), schema_, buffers_));
+  parts_.push_back(write_part(folder_, part_name(next_part_), schema_, buffers_));
+  ++next_part_;
   for (RowBuffer& b : buffers_) b.clear();
   bytes_on_disk_ += bytes;
   stale_ = true;
@@ -298,8 +301,44 @@ void ResultsWriter::write_buffers() {
 void ResultsWriter::flush() {
   last_write_ = Clock::now();  // also after a failure, so that the next row does not try again at once
   write_buffers();
-  if (stale_) write_run(false);
+  if (stale_) {
+    write_run(false);
+    remove_replaced();
+  }
   stale_ = false;
+  merge_if_many();
+}
+
+void ResultsWriter::remove_replaced() noexcept {
+  std::error_code ignored;
+  for (const Part& p : replaced_) std::filesystem::remove(folder_ + "/" + p.file, ignored);
+  replaced_.clear();
+}
+
+// Where this fails, for lack of room say, the run goes on with the parts as they are.
+void ResultsWriter::merge_if_many() {
+  if (parts_.size() <= std::max(options_.most_parts, merge_above_)) return;
+  merge_above_ = parts_.size() + options_.most_parts / 2;  // next time, if not this time
+  const std::optional<PartRange> range = parts_to_merge(schema_, parts_, options_.merge_limit);
+  if (!range) return;
+  const auto begin = parts_.begin() + static_cast<std::ptrdiff_t>(range->first), end = begin + static_cast<std::ptrdiff_t>(range->count);
+  const std::vector<Part> before = parts_;
+  std::vector<Part> old(begin, end);
+  Part merged;
+  try {
+    merged = merge_parts(folder_, part_name(next_part_), schema_, old);
+    ++next_part_;
+    *begin = merged;
+    parts_.erase(begin + 1, end);
+    write_run(false);
+    replaced_ = std::move(old);
+    merge_above_ = 0;
+  } catch (const FileError&) {
+    if (merged.file.empty()) return;
+    parts_ = before;
+    replaced_ = {merged};  // once a run.h5 without it is there
+    stale_ = true;
+  }
 }
 
 bool ResultsWriter::finish() {
@@ -307,6 +346,7 @@ bool ResultsWriter::finish() {
   provenance_.ended = utc_now();
   finished_ = true;
   write_run(false);
+  remove_replaced();
   if (!options_.merge || bytes_on_disk_ > options_.merge_limit) return false;
   try {
     write_run(true);
@@ -315,7 +355,7 @@ bool ResultsWriter::finish() {
     return false;
   }
   // A kill before this line leaves parts without references.
-  remove_parts(folder_, 0);
+  remove_parts(folder_, {});
   return true;
 }
 

@@ -23,13 +23,15 @@
 ///
 /// Rows are buffered; from time to time they become a file parts/NNNN.h5, and run.h5 is replaced by one that also refers to that file. A
 /// file under its final name is never written to. Therefore run.h5 shows the rows up to the last part, and a kill loses only later rows.
+/// Where parts are many, some of them become one: a new file, a new run.h5 that names it in their place, and only then they are removed.
 namespace voussoir::io {
 
 struct ResultsOptions {
   double interval = 10;            // s of wall-clock time between parts; grows to a twentieth of the run so far, which bounds their number
   std::size_t bytes = 32UL << 20;  // of buffered rows at which a part is written; increased to a twentieth of the bytes on disk
   bool merge = true;               // finish() copies all rows into run.h5
-  std::uint64_t merge_limit = 4UL << 30;  // bytes of rows above which finish() does not merge
+  std::uint64_t merge_limit = 4UL << 30;  // bytes of rows above which finish() does not merge, nor parts become one during the run
+  std::size_t most_parts = 64;            // above, some become one: each costs memory, and time at every later part
   std::vector<StaticDataset> motion;      // of the base: motion_datasets
   std::vector<std::string> cuts;          // names, one for each sample of cuts(), in order
   /// Rows to continue with in the folder. Absent: a new run.
@@ -105,6 +107,8 @@ class ResultsWriter final : public solver::Recorder {
   void write_if_due();
   void write_buffers();
   void write_run(bool merged);
+  void remove_replaced() noexcept;
+  void merge_if_many();
   void write_facts(Hdf5File& file, bool merged) const;
 
   std::string folder_, case_toml_;
@@ -116,6 +120,8 @@ class ResultsWriter final : public solver::Recorder {
   ResultsOptions options_;
   std::array<RowBuffer, kRowTables> buffers_;
   std::vector<Part> parts_;
+  std::vector<Part> replaced_;  // files that run.h5 names no more; gone after the next run.h5, so that readers of the last one can end
+  std::size_t next_part_ = 0, merge_above_ = 0;
   std::optional<solver::Summary> summary_;
   std::optional<solver::Drive> drive_;
   std::optional<std::uint64_t> state_hash_;

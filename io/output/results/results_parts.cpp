@@ -88,6 +88,13 @@ std::string part_name(std::size_t number) {
   return name;
 }
 
+std::uint64_t row_bytes(const RowSchema& schema, const Part& part) noexcept {
+  std::uint64_t bytes = 0;
+  for (std::size_t t = 0; t < kRowTables; ++t)
+    for (const ColumnSpec& c : schema[t]) bytes += part.rows[t] * c.row_bytes();
+  return bytes;
+}
+
 RowCounts rows_of(std::span<const Part> parts) noexcept {
   RowCounts sum{};
   for (const Part& p : parts)
@@ -171,6 +178,31 @@ void copy_rows(Hdf5File& file, const std::string& folder, const RowSchema& schem
     for (ColumnCopy& c : table) c.write();
 }
 
+std::optional<PartRange> parts_to_merge(const RowSchema& schema, std::span<const Part> parts, std::uint64_t limit) {
+  std::optional<PartRange> best;
+  double least = 0;
+  for (std::size_t first = 0; first < parts.size(); ++first) {
+    std::uint64_t bytes = row_bytes(schema, parts[first]);
+    for (std::size_t end = first + 1; end < parts.size(); ++end) {
+      bytes += row_bytes(schema, parts[end]);
+      if (bytes > limit) break;
+      const auto gone = static_cast<double>(end - first);
+      const double cost = static_cast<double>(bytes) / (gone * gone);
+      if (best && cost >= least) continue;
+      best = PartRange{first, end - first + 1};
+      least = cost;
+    }
+  }
+  return best;
+}
+
+Part merge_parts(const std::string& folder, const std::string& file, const RowSchema& schema, std::span<const Part> parts) {
+  Part merged = total(parts);
+  merged.file = file;
+  merged.seal = write_file(folder + "/" + file, [&](Hdf5File& out) { copy_rows(out, folder, schema, parts); });
+  return merged;
+}
+
 double last_time(const std::string& folder, RowTable table, std::span<const Part> parts) {
   const auto t = static_cast<std::size_t>(table);
   double time = -std::numeric_limits<double>::infinity();
@@ -183,17 +215,25 @@ double last_time(const std::string& folder, RowTable table, std::span<const Part
   return time;
 }
 
-void remove_parts(const std::string& folder, std::size_t from) noexcept {
+std::optional<std::size_t> part_number(const std::string& file) {
+  std::size_t number = 0;
+  const auto [end, fault] = std::from_chars(file.data(), file.data() + file.size(), number);
+  if (fault != std::errc{} || std::string_view(end, file.data() + file.size()) != ".h5") return {};
+  return number;
+}
+
+void remove_parts(const std::string& folder, std::span<const Part> kept) noexcept {
   namespace fs = std::filesystem;
+  constexpr std::string_view kTemporary = ".tmp";
   std::error_code ignored;
   std::vector<fs::path> gone;
   fs::directory_iterator entry(folder + "/parts", ignored);
   for (; !ignored && entry != fs::directory_iterator(); entry.increment(ignored)) {
-    const std::string name = entry->path().filename().string();
-    std::size_t number = 0;
-    const auto [end, fault] = std::from_chars(name.data(), name.data() + name.size(), number);
-    const std::string_view rest(end, name.data() + name.size());
-    if (fault == std::errc{} && (rest == ".h5.tmp" || (rest == ".h5" && number >= from))) gone.push_back(entry->path());
+    std::string name = entry->path().filename().string();
+    const bool temporary = name.ends_with(kTemporary);
+    if (temporary) name.resize(name.size() - kTemporary.size());
+    const bool named = std::ranges::any_of(kept, [&](const Part& p) { return p.file == "parts/" + name; });
+    if (part_number(name) && (temporary || !named)) gone.push_back(entry->path());
   }
   for (const fs::path& path : gone) fs::remove(path, ignored);
   fs::remove(folder + "/parts", ignored);

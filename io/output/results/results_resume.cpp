@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 
 #include "io/input/files/errors.h"
 #include "io/output/replay/values/run_values.h"
@@ -124,7 +125,7 @@ void take_merged(const std::string& folder) {
   if (!fs::exists(run)) return;
   const Hdf5File file = Hdf5File::open(run);
   if (!file.has_attribute("/", "parts") || file.attribute_int("/", "parts") != 0) return;
-  remove_parts(folder, 0);
+  remove_parts(folder, {});
   fs::create_directory(folder + "/parts");
   // A hard link instead of a rename: after a kill before the new run.h5 exists, the old one is still there.
   std::error_code error;
@@ -139,11 +140,14 @@ void take_merged(const std::string& folder) {
 std::vector<Part> keep_parts(const std::string& folder, const RowSchema& schema, const EarlierRows& earlier) {
   take_merged(folder);
   const std::vector<NamedPart> named = named_parts(folder);
-  const auto seal_of = [&](std::size_t i) { return i < named.size() ? named[i].seal : ""; };
+  const auto seal_of = [&](std::size_t i) { return named.empty() ? "" : named[i].seal; };
+  const auto file_of = [&](std::size_t i) { return named.empty() ? part_name(i) : named[i].file; };
+  // Where run.h5 names parts, others may be there that it does not name yet, or no more: the same rows as in parts that have become one.
+  const std::size_t most = named.empty() ? std::numeric_limits<std::size_t>::max() : named.size();
   std::vector<Part> parts;
   bool cut = false;
-  for (std::size_t i = 0; std::filesystem::exists(folder + "/" + part_name(i)); ++i) {
-    Part part = read_part(folder, part_name(i), seal_of(i), schema);
+  for (std::size_t i = 0; i < most && std::filesystem::exists(folder + "/" + file_of(i)); ++i) {
+    Part part = read_part(folder, file_of(i), seal_of(i), schema);
     if (part.first_time > earlier.until) break;
     cut = part.last_time > earlier.until;
     parts.push_back(cut ? part_until(folder, std::move(part), earlier.until) : std::move(part));

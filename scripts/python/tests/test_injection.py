@@ -5,6 +5,7 @@
 Needs Debian's chromium, and ffmpeg for the film.
 """
 
+import html
 import html.parser
 import os
 import pathlib
@@ -15,7 +16,7 @@ import unittest
 import xml.etree.ElementTree
 
 import voussoir
-from fixture import InAFolder
+from fixture import ROOT, InAFolder
 
 MARKUP = ["<img src=x onerror=executed()>", "</script><script>executed()</script>", '"><svg onload=executed()>', "'-executed()-'", "${executed()}",
           "<iframe src=javascript:parent.executed()>", "<b onmouseover=executed() onclick=executed()>b</b>", "--><script>executed()</script>"]
@@ -93,6 +94,35 @@ class Injection(InAFolder):
         model.motion("bam-like")
         return model
 
+    def house(self):
+        """A small house with names of its own: materials, joint laws, inner walls, rods, meshes, cuts, points; stones from a file."""
+        words = iter((MARKUP + SHELL) * 4)
+        stones = self.folder / f"{SHELL[0]}.obj"
+        text = []
+        for k, name in enumerate(MARKUP):
+            text.append(f"o {name}")
+            text += [f"v {x + 0.3 * k} {y} {z}" for z in (0.0, 0.2) for x, y in ((0.0, -1.0), (0.2, -1.0), (0.2, -0.8), (0.0, -0.8))]
+            text += ["f " + " ".join(str(8 * k + i) for i in face)
+                     for face in ((1, 4, 3, 2), (5, 6, 7, 8), (1, 2, 6, 5), (2, 3, 7, 6), (3, 4, 8, 7), (4, 1, 5, 8))]
+        stones.write_text("\n".join(text) + "\n")
+        model = voussoir.Model(MARKUP[1], include=ROOT / "tests/io/samples/house.toml")
+        model["time.duration"], model["output.frame_interval"] = 0.1, 0.05
+        brick, weak, wood = f"brick {next(words)}", f"weak {next(words)}", f"wood {next(words)}"
+        model.material(brick, density=1800.0, young=9.8e7, poisson=0.25)
+        model.material(wood, density=700.0, young=6.3e8, poisson=0.3)
+        model.joint_law(weak, tension=460.0, cohesion=290.0, friction=32.0, compression=4.9e5)
+        model.joint_law(wood, tension=1e7, cohesion=9e6, friction=0.0, compression=4.5e7)
+        model.house(material=brick, joint=weak, inner_size=[1.0, 0.2], wood={"material": wood, "within_member": wood, "between_members": weak},
+                    inner_wall=[{"name": next(words), "at": 0.5, "thickness": 0.1}])
+        rod = {"kind": "across", "walls": ["front"], "heights": [0.3], "at": [0.3], "area": 1e-5}
+        model.case["house"]["tie"] = [{"name": word, **rod, "heights": [0.02 * k + 0.1]} for k, word in enumerate(MARKUP)]
+        model.case["house"]["mesh"] = [{"name": next(words), "walls": ["front"], "stiffness": 1e5}]
+        model.case["output"]["cut"] = [{"name": word.replace("/", "|"), "point": [0.5, 0.2, 0.02 * k + 0.1]} for k, word in enumerate(MARKUP + SHELL)]
+        model.add_stones(stones, unit="m", name=next(words), material=brick)
+        for k, word in enumerate(MARKUP + SHELL):
+            model.follow(word.replace("/", "|"), [0.06 * k, 0.05, 0.35])
+        return model
+
     def shown(self, page):
         """The page as a browser has it after clicks on everything; the console's faults do not matter here."""
         copy = self.folder / "clicked.html"
@@ -110,6 +140,7 @@ class Injection(InAFolder):
         self.assertGreater(int(seen[1]), 50)
         self.assertEqual(int(seen[2]), 0)
         self.assertEqual(Elements(dom).odd, [])
+        return dom
 
     def assert_no_shell(self):
         self.assertEqual([str(p) for p in self.folder.rglob("executed*")], [])
@@ -131,8 +162,24 @@ class Injection(InAFolder):
             self.nothing_ran(page)
         self.assert_no_shell()
 
+    @unittest.skipIf(CHROMIUM is None, "no chromium")
+    def test_pages_of_a_house(self):
+        model = self.house()
+        run = model.run(self.folder / "run", threads=1, progress=False)
+        shown = html.unescape(self.nothing_ran(run.report()))
+        self.nothing_ran(model.view(self.folder / "view.html"))
+        self.assert_no_shell()
+        house = model.case["house"]
+        for name in (MARKUP[1], house["inner_wall"][0]["name"], house["tie"][0]["name"], model.case["output"]["cut"][0]["name"]):
+            self.assertIn(name, shown)
+
     def test_drawings_and_files(self):
-        model = self.model()
+        self.drawings_and_files(self.model())
+
+    def test_drawings_and_files_of_a_house(self):
+        self.drawings_and_files(self.house())
+
+    def drawings_and_files(self, model):
         run = model.run(self.folder / "run", threads=1, progress=False)
         model.check(draw=self.folder / "`touch executed`.svg")
         voussoir.call("assess", run.folder, "--maps", self.folder / "maps ; touch executed", "--spectra", self.folder / "| touch executed.csv")

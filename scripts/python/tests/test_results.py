@@ -106,8 +106,8 @@ class Results(InAFolder):
         with self.assertRaisesRegex(voussoir.FileError, "were written"):
             _ = voussoir.Run(self.folder).finished
 
-    def test_a_later_schema_and_a_lost_seal_are_refused(self):
-        for version, words in ((7, "a later program wrote it"), (6, "lost its seal")):
+    def test_a_later_schema_an_early_one_and_a_lost_seal_are_refused(self):
+        for version, words in ((7, "a later program wrote it"), (3, "reads from 4 on"), (6, "lost its seal")):
             with h5py.File(self.folder / "run.h5", "w") as file:
                 file.attrs["format"], file.attrs["schema_version"] = "voussoir results", version
             with self.assertRaisesRegex(voussoir.FileError, words):

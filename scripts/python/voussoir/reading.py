@@ -19,7 +19,7 @@ from . import rules
 from .errors import FileError, ProgramWarning, VoussoirError
 from .sealed import PagedFile, take_fault
 
-SCHEMA, SEALED_SCHEMA = 6, 6  # the newest layout of run.h5 that is known; the first whose files are sealed
+SCHEMA, OLDEST_SCHEMA, SEALED_SCHEMA = 6, 4, 6  # the newest and the oldest layout of run.h5 that is known; the first whose files are sealed
 _PART = re.compile(r"parts/\d+\.h5")
 _DEEPEST = 16  # groups in each other; results have three
 
@@ -97,6 +97,8 @@ def _check_layout(file: h5py.File, path: pathlib.Path, sealed: bool) -> None:
         raise FileError(f"{path}: holds no results of Voussoir")
     if version > SCHEMA:
         raise FileError(f"{path}: has schema_version {version}; this package reads up to {SCHEMA}: a later program wrote it")
+    if version < OLDEST_SCHEMA:
+        raise FileError(f"{path}: has schema_version {version}; this package reads from {OLDEST_SCHEMA} on: a program of before 28 November 2026 wrote it")
     if version >= SEALED_SCHEMA and not sealed:
         raise FileError(f"{path}: is damaged: it has lost its seal")
     if not sealed:

@@ -108,7 +108,7 @@ const Hdf5File& Hdf5File::source(const std::string& file) const {
   if (!std::filesystem::exists(at, error))
     throw FileError(at.string(), "is missing" + missing_of(*this) +
                                      ". Rows of a run that has not ended are in parts/ beside run.h5, and a copy needs them; if the run "
-                                     "has ended since, read run.h5 again");
+                                     "has gone on or ended since, read run.h5 again");
   auto opened = std::make_shared<Hdf5File>(open(at.string()));
   opened->is_part_ = true;
   if (sealed_ && !opened->sealed()) throw FileError(at.string(), "is not sealed, but " + path_ + " is");

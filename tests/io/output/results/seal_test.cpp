@@ -122,7 +122,7 @@ TEST_CASE("a fault names file and dataset; what is not read is not checked") {
   CHECK_THROWS_WITH_AS(static_cast<void>(check_run(path)), doctest::Contains("is damaged"), DamagedFile);
 }
 
-TEST_CASE("truncated, longer, without its seal, of a later schema") {
+TEST_CASE("truncated, longer, without its seal, of a later schema, of an early one") {
   const TempFolder dir;
   const std::string path = sealed(dir), right = contents_of(path);
   for (const std::string& wrong : {right.substr(0, right.size() - 1), right + "x", right.substr(0, 100), std::string()}) {
@@ -133,6 +133,10 @@ TEST_CASE("truncated, longer, without its seal, of a later schema") {
   CHECK_THROWS_WITH_AS(read_all(path), doctest::Contains("lost its seal"), FileError);
   sealed(dir, 7);
   CHECK_THROWS_WITH_AS(read_all(path), doctest::Contains("a later program wrote it"), FileError);
+  for (const std::int64_t early : {3, 1, 0, -1}) {
+    sealed(dir, early, false);
+    CHECK_THROWS_WITH_AS(read_all(path), doctest::Contains("this program reads from 4 on"), FileError);
+  }
   sealed(dir, 5, false);
   CHECK_NOTHROW(read_all(path));
 }
