@@ -32,7 +32,8 @@ def flat(summary):
     for wall in summary["walls"]:
         out |= {f"{wall['name']}: {name}": value for name, value in wall.items() if name != "name"}
     out |= {f"{point['name']}: peak_acceleration": point["peak_acceleration"] for point in summary.get("points", [])}
-    out |= {f"capacity: {name}": "; ".join(value) if isinstance(value, list) else value for name, value in summary.get("capacity", {}).items()}
+    capacity = {name: value for name, value in summary.get("capacity", {}).items() if name not in ("performance", "loops")}  # tables of their own
+    out |= {f"capacity: {name}": "; ".join(value) if isinstance(value, list) else value for name, value in capacity.items()}
     if summary.get("chance"):
         out["chaotic_from"] = summary["chance"]["from"]
     return {name: "" if value is None else value for name, value in out.items()}

@@ -15,6 +15,7 @@
 #include "cases/model.h"
 #include "geometry/nth.h"
 #include "solver/analysis/modes.h"
+#include "solver/analysis/push_shape.h"
 #include "solver/equilibrium/masses.h"
 
 namespace voussoir::solver {
@@ -68,8 +69,8 @@ bool pushes_by_loads(const cases::Case& c) { return c.analysis.kind == AnalysisK
 /// About the centroid, N m.
 Vec3 torque_of(const PointLoad& l) { return l.moment + cross(l.arm, l.force); }
 
-/// Power of the forces at a load factor of 1 with the motion of a mode.
-double power_on_mode(const cases::Case& c, const World& w, const Mode& m, Vec3 push, double g) {
+/// Power of the forces at a load factor of 1 with the motion of a mode. \param shape  of the push; empty: the same everywhere
+double power_on_mode(const cases::Case& c, const World& w, const Mode& m, Vec3 push, const std::vector<Vec3>& shape, double g) {
   double power = 0.0;
   if (pushes_by_loads(c)) {
     for (const PointLoad& l : w.loads) {
@@ -79,7 +80,7 @@ double power_on_mode(const cases::Case& c, const World& w, const Mode& m, Vec3 p
     return power;
   }
   for (std::size_t i = 0; i < m.displacement.size(); ++i) {
-    if (!w.elements.fixed[i]) power += g * w.elements.mass[i] * dot(push, m.displacement[i]);
+    if (!w.elements.fixed[i]) power += g * w.elements.mass[i] * dot(shape.empty() ? push : shape[i], m.displacement[i]);
   }
   return power;
 }
@@ -182,6 +183,16 @@ Shape shape_of(const std::vector<Mode>& modes, const World& w, Vec3 push, double
   return shape;
 }
 
+/// The distribution of a pushover's forces over the elements; empty: the same acceleration everywhere, or given loads.
+std::vector<Vec3> push_shape(const cases::Analysis& a, const World& w, const Shape& mode, Vec3 push) {
+  if (!cases::has_push_shape(a)) return {};
+  std::vector<Vec3> shape = a.pattern == LoadPattern::mode         ? mode.displacement
+                            : a.pattern == LoadPattern::triangular ? triangular_shape(w, push)
+                                                                   : mass_shape(w, push);
+  if (a.eccentricity != 0.0) shift_shape(shape, w, push, a.eccentricity);
+  return shape;
+}
+
 /// m, of the elements that are not fixed, from the lowest corner to the highest.
 double height_that_moves(const World& w) {
   double low = 1e300, high = -1e300;
@@ -251,17 +262,19 @@ void choose_drive(Simulation& sim, const cases::Case& c) {
     sim.program().set(d, {});
     return;
   }
-  Shape shape;
+  Shape mode;
   double inertia = 0.0;  // of the path from one state of rest to the next
   double square = 0.0;   // of the stiffness of the spring: THEORY.md, section 11
-  if (a.kind == AnalysisKind::pushover && a.pattern == LoadPattern::mode) {
-    shape = shape_of(modes, w, push, all.mass);
-    square = square_of_masses(w, shape.displacement, g);
-    d.compliance = square / (square_of(shape.frequency) * d.weight);
+  const bool by_mode = a.kind == AnalysisKind::pushover && a.pattern == LoadPattern::mode;
+  if (by_mode) mode = shape_of(modes, w, push, all.mass);
+  const std::vector<Vec3> shape = push_shape(a, w, mode, push);
+  if (by_mode && a.eccentricity == 0.0) {
+    square = square_of_masses(w, shape, g);
+    d.compliance = square / (square_of(mode.frequency) * d.weight);
   } else {
-    square = pushes_by_loads(c) ? square_of_loads(w) : square_of_masses(w, {}, g);
+    square = pushes_by_loads(c) ? square_of_loads(w) : square_of_masses(w, shape, g);
     for (const Mode& m : modes) {
-      const double power = power_on_mode(c, w, m, push, g);
+      const double power = power_on_mode(c, w, m, push, shape, g);
       d.compliance += power * power / (square_of(m.frequency) * modal_mass(w, m) * d.weight);
     }
   }
@@ -269,12 +282,12 @@ void choose_drive(Simulation& sim, const cases::Case& c) {
   const bool at_rest = cases::finds_rest(a);
   d.stiffness = a.share.value_or(at_rest || a.kind == AnalysisKind::cyclic ? kCyclicShare : kShare) / d.compliance;
   const double margin = at_rest ? kSpringShare : kStepMargin;
-  if (at_rest) square = relaxed_square(c, w, shape.displacement, g);
+  if (at_rest) square = relaxed_square(c, w, shape, g);
   if (at_rest && square > 0.0) inertia = d.weight / (square * w.dt * w.dt);
   if (square > 0.0) d.stiffness = std::min(d.stiffness, margin * 4.0 / (w.dt * w.dt) * d.weight / square);
   d.first = (at_rest ? kRestFactor : kFirstFactor) * (d.compliance + 1.0 / d.stiffness);
   if (at_rest) sim.path().set(d.first, inertia);
-  sim.program().set(d, shape.displacement);
+  sim.program().set(d, shape);
 }
 
 }  // namespace voussoir::solver

@@ -71,8 +71,7 @@ LoadProgram::LoadProgram(const cases::Case& c, World& w) : analysis_(c.analysis)
   height_ = std::max(kLeastHeight, nth(e.body, control_).ref.z - nth(e.body, e.base).ref.z);
   for (const Support& s : w.supports)
     last_support_ = std::max(last_support_, s.history->open_ended ? std::numeric_limits<double>::infinity() : s.history->time.back());
-  if (analysis_.kind == AnalysisKind::pushover && analysis_.pattern == LoadPattern::mode)
-    shape_.assign(static_cast<std::size_t>(e.count), {});
+  if (cases::has_push_shape(analysis_)) shape_.assign(static_cast<std::size_t>(e.count), {});
   no_shear_ = vertical ||
               (pushed != w.loads.end() && std::ranges::none_of(w.loads, [](const PointLoad& l) { return l.grows && l.force != Vec3{}; }));
   if (!analysis_.level) return;
@@ -95,7 +94,8 @@ void LoadProgram::begin(const World& w) {
 }
 
 Vec3 LoadProgram::field(double factor) const noexcept {
-  if (analysis_.kind == AnalysisKind::pushover && analysis_.pattern == LoadPattern::mass) return (factor * gravity_) * across_;
+  if (analysis_.kind == AnalysisKind::pushover && analysis_.pattern == LoadPattern::mass && shape_.empty())
+    return (factor * gravity_) * across_;
   if (analysis_.kind != AnalysisKind::tilt) return {};
   const double c = 1.0 / std::sqrt(1.0 + factor * factor);
   return gravity_ * ((c - 1.0) * down_ + (factor * c) * across_);

@@ -33,8 +33,8 @@ class LoadProgram {
   [[nodiscard]] bool active() const noexcept { return cases::is_assessment(analysis_); }
   [[nodiscard]] const cases::Analysis& analysis() const noexcept { return analysis_; }
   [[nodiscard]] const Drive& drive() const noexcept { return drive_; }
-  /// Sets the drive. \param shape  by element, for a mode as pattern: times mass and gravity it is the force at a load factor of 1; else
-  /// empty
+  /// Sets the drive. \param shape  by element, where cases::has_push_shape: times mass and gravity it is the force at a load factor of 1;
+  /// else empty
   void set(const Drive& drive, const std::vector<Vec3>& shape);
 
   /// Begins loading at time zero. \throw std::logic_error without a drive
@@ -62,7 +62,7 @@ class LoadProgram {
   /// Body acceleration in addition to gravity at this step, and its mean over the last interval [m/s2].
   [[nodiscard]] Vec3 acceleration() const noexcept { return field(state_.factor); }
   [[nodiscard]] Vec3 mean_acceleration() const noexcept { return 0.5 * (field(state_.factor) + field(state_.factor_before)); }
-  /// Adds the forces of a mode as pattern to the rows. \return their work over the last interval [J]
+  /// Adds the forces of a push with a shape to the rows. \return their work over the last interval [J]
   double add_forces(World& w) const;
   /// Time in the histories of supports at time t [s].
   [[nodiscard]] double support_time(double t) const noexcept {

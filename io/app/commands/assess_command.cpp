@@ -22,6 +22,7 @@
 #include "io/input/files/output_path.h"
 #include "io/output/assess/assess_words.h"
 #include "io/output/assess/crack_map.h"
+#include "io/output/measures/capacity/capacity_file.h"
 #include "io/output/replay/run_file.h"
 #include "io/output/replay/run_state.h"
 #include "io/output/results/case_of_run.h"
@@ -35,6 +36,10 @@ struct AssessOptions {
   std::vector<double> levels;         // m above the base, of storeys; none: foot and top of the walls
   std::vector<double> damping{0.05};  // of the spectra
   std::string maps, spectra;          // folder for crack maps; CSV file for spectra; empty: none
+  std::string demand;                 // spectrum to compare the capacity of a pushover with; empty: that of the case
+  double demand_damping = 0.05;       // of critical
+  std::optional<double> corner;       // s, T_C of a demand that does not state it
+  std::optional<std::string> unit;    // of a file of the demand
   bool json = false, overwrite = false;
 };
 
@@ -69,6 +74,15 @@ void write_maps(const Hdf5File& run, const cases::Case& c, const Building& build
   }
 }
 
+/// The capacity of the run, if it is a quasi-static analysis, against the demand that is asked for, or that of its case. \throw
+/// cases::InputError, FileError
+std::optional<Capacity> capacity_asked(const Hdf5File& run, const AssessOptions& o) {
+  if (o.demand.empty() && (o.corner || o.unit))
+    throw cases::InputError("--demand", "is missing: --corner-period and --unit are of its file");
+  if (o.demand.empty()) return capacity_of(run);
+  return capacity_under(run, read_demand(o.demand, o.demand_damping, o.corner, o.unit, "--demand"), "--demand");
+}
+
 /// Prints engineering figures of a run (io/MEASURES.md), writes crack maps of its walls and floor response spectra. \throw
 /// cases::InputError, FileError
 int assess(const AssessOptions& o) {
@@ -81,10 +95,12 @@ int assess(const AssessOptions& o) {
   if (!o.maps.empty() && building.walls.empty()) throw cases::InputError("--maps", "a model of free blocks has no walls to draw");
   const Output spectra{o.spectra, FileKind::table, "--spectra", o.overwrite};
   check_output(spectra);
+  const std::optional<Capacity> capacity = capacity_asked(run, o);
   const Assessment a = assess(run, c, building, o.time, o.levels);
   const cases::GroundMotion base = base_of_run(run, c);
   const std::vector<FloorAcceleration> points = floor_accelerations(run, history_names(c), base);
-  std::fputs((o.json ? assessment_json(a, points, base) : assessment_text(a, points, base)).c_str(), stdout);
+  std::fputs((o.json ? assessment_json(a, points, base, capacity) : assessment_text(a, points, base)).c_str(), stdout);
+  if (capacity && !o.json) std::fputs(("\ncapacity\n" + capacity_text(*capacity)).c_str(), stdout);
   if (!o.maps.empty()) write_maps(run, c, building, a, o);
   if (!o.spectra.empty()) write_output(spectra, spectra_csv(points, base, o.damping));
   return kDone;
@@ -94,7 +110,9 @@ int assess(const AssessOptions& o) {
 
 Command add_assess(CLI::App& program) {
   CLI::App* words =
-      program.add_subcommand("assess", "crack widths and crack maps, storey drift, forces through cuts, floor spectra of a run");
+      program.add_subcommand("assess",
+                             "crack widths and crack maps, storey drift, forces through cuts, floor spectra of a run; demand over "
+                             "capacity of a pushover");
   auto o = std::make_shared<AssessOptions>();
   words->add_option("DIR", o->folder, "folder of the run, finished or not")->required();
   words->add_option("--time", o->time, "s, of cracks: the frame nearest to it (default: the last)")->check(number_range(-1e9, 1e9));
@@ -106,6 +124,14 @@ Command add_assess(CLI::App& program) {
   words->add_option("--damping", o->damping, "damping ratios of the spectra (default 0.05)")
       ->delimiter(',')
       ->check(number_range(0.0, 0.99));
+  words->add_option(
+      "--demand", o->demand,
+      "of a pushover: spectrum to compare its capacity with (default: analysis.demand): ec8:TYPE:GROUND:AG, record:FILE, or a "
+      "file of periods and accelerations");
+  words->add_option("--demand-damping", o->demand_damping, "of critical, of --demand (default 0.05)")->check(number_range(0.0, 0.5));
+  words->add_option("--corner-period", o->corner, "s, end of the plateau of a --demand that is a file or record (T_C)")
+      ->check(number_range(1e-3, 100.0));
+  words->add_option("--unit", o->unit, "of acceleration in a file of --demand that does not state it: g, m/s2, cm/s2");
   add_format(*words, o->json);
   words->add_flag("--overwrite", o->overwrite, "replace existing files");
   words->footer("example: voussoir assess results/flat20n --time 2 --maps results/flat20n/cracks");

@@ -24,6 +24,7 @@
 #include "io/app/session/progress.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/output_path.h"
+#include "io/input/motion/spectra/intensity.h"
 #include "io/output/assess/limit_words.h"
 #include "solver/limit/load_path.h"
 #include "solver/limit/programme/linear_programme.h"
@@ -41,6 +42,12 @@ struct LimitCommandOptions {
   bool outer = false;            // facets outside the cone instead of inside
   std::string mechanism;         // CSV file for the mechanism; empty: none
   bool associated = false;       // associated flow only
+  bool kinematic = false;        // follow the mechanisms by finite displacements
+  std::string demand;            // spectrum for their verification; empty: none
+  std::optional<std::string> unit;
+  double confidence = 1.35, behaviour = 2.0;  // FC, q
+  std::optional<double> height, top, period;  // m, m, s: of the mechanism, of the building, its first period
+  int storeys = 1;
   bool json = false, overwrite = false, quiet = false;
 };
 
@@ -131,12 +138,36 @@ std::function<void(int, double)> ticker(bool coulomb) {
   };
 }
 
+/// What the kinematic verification is asked for; nothing without --kinematic. \throw cases::InputError, FileError
+std::optional<KinematicQuestion> kinematic_question(const LimitCommandOptions& o, const LiveLoad& live) {
+  const bool at_height = o.height || o.top || o.period;
+  if (!o.kinematic) {
+    if (!o.demand.empty() || at_height)
+      throw cases::InputError("--kinematic", "is missing: --demand, --height and what goes with it are of it");
+    return {};
+  }
+  if (live.kind != LiveLoad::Kind::weight || !live.on.empty() || live.direction.z != 0.0)
+    throw cases::InputError("--kinematic",
+                            "is of the weight of all blocks as live load, along a horizontal direction; leave out --on, --force, "
+                            "--at, --path, and loads that grow");
+  KinematicQuestion q;
+  q.confidence = o.confidence, q.behaviour = o.behaviour;
+  if (!o.demand.empty()) q.demand = read_demand(o.demand, kIntensityDamping, {}, o.unit, "--demand");
+  if (!at_height) return q;
+  if (!o.height || !o.top || !o.period || o.demand.empty())
+    throw cases::InputError("--height", "asks for --building-height, --building-period and --demand, too");
+  if (*o.height > *o.top) throw cases::InputError("--height", "lies above the building; allowed: up to --building-height");
+  q.around = BuildingAround{.height = *o.height, .top = *o.top, .period = *o.period, .damping = kIntensityDamping, .storeys = o.storeys};
+  return q;
+}
+
 Output mechanism_of(const LimitCommandOptions& o) { return {o.mechanism, FileKind::table, "--mechanism", o.overwrite}; }
 
 /// Prints the result and writes the mechanism. \return the exit code
-int tell(const LimitQuestion& asked, const LimitCommandOptions& o, const cases::Model& model, const solver::LimitResult& found,
-         const solver::LoadPath* path) {
-  std::fputs((o.json ? limit_json(asked, model, found, path) : limit_text(asked, model, found, path)).c_str(), stdout);
+int tell(const LimitQuestion& asked, const LimitCommandOptions& o, const cases::Case& c, const cases::Model& model,
+         const solver::LimitResult& found, const solver::LoadPath* path) {
+  const std::vector<Kinematics> followed = kinematics_of(asked, c, model, found);
+  std::fputs((o.json ? limit_json(asked, model, found, path, followed) : limit_text(asked, model, found, path, followed)).c_str(), stdout);
   if (!o.mechanism.empty()) write_output(mechanism_of(o), limit_csv(asked, model, found));
   bool proven = o.associated || found.coulomb_proven();
   if (path != nullptr)
@@ -154,7 +185,8 @@ int limit(const LoadedCase& c, const LimitCommandOptions& o, int threads) {
     return kInputFault;
   }
   check_output(mechanism_of(o));
-  LimitQuestion asked{c.value.title, "", {live_load(o, c.value), o.facets, o.outer, {}}};
+  LimitQuestion asked{c.value.title, "", {live_load(o, c.value), o.facets, o.outer, {}}, {}};
+  asked.kinematic = kinematic_question(o, asked.options.live);
   asked.live = words_of(asked.options.live, o);
   asked.options.coulomb = !o.associated;
   const bool on_terminal = Progress::mode_for(2, o.quiet) == Progress::Mode::terminal;
@@ -167,7 +199,7 @@ int limit(const LoadedCase& c, const LimitCommandOptions& o, int threads) {
   if (o.path.empty()) {
     const solver::LimitResult found = solver::limit_analysis(c.value, model, asked.options);
     if (on_terminal) std::fputc('\n', stderr);
-    return tell(asked, o, model, found, nullptr);
+    return tell(asked, o, c.value, model, found, nullptr);
   }
   std::vector<Vec3> corners = points_of(o.path, "--path");
   for (Vec3& corner : corners) corner -= model.origin;
@@ -175,7 +207,7 @@ int limit(const LoadedCase& c, const LimitCommandOptions& o, int threads) {
   if (on_terminal) std::fputc('\n', stderr);
   if (!path.weakest)
     throw solver::NothingFalls("--path", "nothing falls at any place of it, whatever the force, or it meets no block that can move");
-  return tell(asked, o, model, *path.positions[*path.weakest].found, &path);
+  return tell(asked, o, c.value, model, *path.positions[*path.weakest].found, &path);
 }
 
 }  // namespace
@@ -207,6 +239,19 @@ Command add_limit(CLI::App& program) {
           "facets in the cone, which err to the safe side (default), or round it")
       ->check(CLI::IsMember({"inner", "outer"}));
   words->add_flag("--associated", w->o.associated, "associated flow alone, one programme; not Coulomb's slip, which takes 20 to 40 more");
+  words->add_flag("--kinematic", w->o.kinematic,
+                  "also the multiplier as the mechanism moves by finite displacements, and its kinematic verification (Circolare 7/2019, "
+                  "C8.7.1.2.1)");
+  words->add_option("--demand", w->o.demand,
+                    "of --kinematic: ec8:TYPE:GROUND:AG, record:FILE, or a file of periods and accelerations at 5 %");
+  words->add_option("--unit", w->o.unit, "of acceleration in a file of --demand that does not state it: g, m/s2, cm/s2");
+  words->add_option("--confidence", w->o.confidence, "FC of --kinematic (default 1.35)")->check(number_range(1.0, 10.0));
+  words->add_option("--behaviour", w->o.behaviour, "q of --kinematic (default 2)")->check(number_range(1.0, 10.0));
+  words->add_option("--height", w->o.height, "m, z of the mechanism above the ground in a building, of --kinematic (default: at the base)")
+      ->check(number_range(0.0, 1000.0));
+  words->add_option("--building-height", w->o.top, "m, H")->check(number_range(0.1, 1000.0));
+  words->add_option("--building-period", w->o.period, "s, T_1 (voussoir modes)")->check(number_range(0.001, 10.0));
+  words->add_option("--storeys", w->o.storeys, "n of the building (default 1)")->check(CLI::Range(1, 100));
   words->add_option("--mechanism", w->o.mechanism, "write the velocities of all elements to this CSV file");
   add_format(*words, w->o.json);
   words->add_flag("--overwrite", w->o.overwrite, "replace an existing file of the mechanism");

@@ -6,6 +6,7 @@
 #include "cases/case.h"
 #include "io/input/case_file/case_tables.h"
 #include "io/input/case_file/usual_ranges.h"
+#include "io/input/motion/spectra/target_file.h"
 
 namespace voussoir::io {
 namespace {
@@ -25,6 +26,10 @@ void check_own_keys(const Analysis& s, const RuleCheck& check) {
              *to_and_fro = "kind = \"cyclic\"", *any_slow = "a kind other than \"time-history\"";
   only("pattern", s.pattern != plain.pattern, kind == AnalysisKind::pushover, "kind = \"pushover\"");
   only("direction", s.direction != plain.direction, slow, any_slow);
+  only("eccentricity", s.eccentricity != 0.0, has_push_shape(s), "kind = \"pushover\" and a pattern other than \"given\"");
+  only("demand", !s.demand.empty(), kind == AnalysisKind::pushover, "kind = \"pushover\"");
+  only("demand_damping", s.demand_damping != plain.demand_damping, !s.demand.empty(), "demand");
+  if (const std::string fault = eurocode8_fault(s.demand); !s.demand.empty() && !fault.empty()) check.fault("demand", fault);
   only("share", s.share.has_value(), pushed, to_push);
   only("drop", s.drop != plain.drop, grows, to_grow);
   only("largest_factor", s.largest_factor != plain.largest_factor, grows, to_grow);
@@ -68,11 +73,19 @@ Table<Analysis> analysis_table() {
            "of all kinds but time-history. equilibrium: each row is a state of rest, found by relaxation; dynamics: the structure moves "
            "slowly, so the result depends on the pace; none: equilibrium, but dynamics where pace or damping is given"),
        choice<S, LoadPattern S::*, LoadPattern>(
-           "pattern", &S::pattern, "", {{"mass", LoadPattern::mass}, {"mode", LoadPattern::mode}, {"given", LoadPattern::given}},
-           "pushover: forces as the masses, as the masses times the mode with most mass in `direction`, or the [[load]]s that grow"),
+           "pattern", &S::pattern, "",
+           {{"mass", LoadPattern::mass},
+            {"mode", LoadPattern::mode},
+            {"given", LoadPattern::given},
+            {"triangular", LoadPattern::triangular}},
+           "pushover: forces as the masses, as the masses times the mode with most mass in `direction`, the [[load]]s that grow, or as the "
+           "masses times their height above the base"),
        value<S>("direction", &S::direction, "", any(),
                 "x and y of the push (where gravity turns to); of any length, -x pushes back. Where vertical loads grow, displacements are "
                 "measured along them"),
+       value<S>("eccentricity", &S::eccentricity, "", within(-0.5, 0.5).usually(usual::kEccentricity),
+                "pushover: shift of the resultant across the push, over the width of the plan there; above zero: to the left of the push. "
+                "EN 1998-1, 4.3.2: 0.05 and -0.05"),
        value<S>(
            "control", &S::control, "m", any().possibly(0.0, usual::kFarthest),
            "the element whose centroid is nearest is the control point; none: the one on top nearest to the axis of the centre of mass; "
@@ -98,6 +111,11 @@ Table<Analysis> analysis_table() {
        value<S>("amplitudes", &S::amplitudes, "m", any().usually(usual::kAmplitude),
                 "cyclic: of the displacement of the loads that grow, one after another"),
        value<S>("cycles", &S::cycles, "", within(1.0, 1000.0), "cyclic: at each amplitude"),
+       value<S>(
+           "demand", &S::demand, "", any(),
+           "pushover: the spectrum that the capacity is compared with, of EN 1998-1: \"ec8:TYPE:GROUND:AG\", as \"ec8:1:B:0.25g\"; other "
+           "spectra: `voussoir assess --demand`"),
+       value<S>("demand_damping", &S::demand_damping, "", within(0.0, 0.5), "of critical, of the spectrum of demand"),
        value<S>(
            "tolerance", &S::tolerance, "", inside(0.0, 1.0),
            "equilibrium: largest unbalanced force over the mean weight of an element (or moment, over that and the element's radius) of "

@@ -27,6 +27,7 @@ inline constexpr Usual kMortarYoung{1e5, 1e11};  // Pa
 inline constexpr Usual kFracture{0.1, 1e5};      // J/m2; 1 N/mm is 1000 J/m2
 inline constexpr Usual kJointStiffness{1e6, 1e14, 1.0, 1e17};  // Pa/m; 1 N/mm3 is 1e9 Pa/m
 inline constexpr Usual kClosure{1e-7, 0.02, 1e-10, 20.0};      // m
+inline constexpr Usual kEccentricity{0.001, 0.3};              // of the plan's width; EN 1998-1, 4.3.2: 0.05
 inline constexpr Usual kVariation{0.005, 1.0};                 // a ratio, no per cent
 inline constexpr Usual kCrushing{1.0, 1e8};                    // J/m2
 inline constexpr Usual kCrushed{1e-5, 0.2};                    // m

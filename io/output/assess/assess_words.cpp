@@ -8,6 +8,7 @@
 
 #include "geometry/message.h"
 #include "geometry/nth.h"
+#include "io/output/measures/capacity/capacity_file.h"
 
 namespace voussoir::io {
 namespace {
@@ -99,7 +100,8 @@ std::string assessment_text(const Assessment& a, const std::vector<FloorAccelera
   return out;
 }
 
-std::string assessment_json(const Assessment& a, const std::vector<FloorAcceleration>& points, const cases::GroundMotion& base) {
+std::string assessment_json(const Assessment& a, const std::vector<FloorAcceleration>& points, const cases::GroundMotion& base,
+                            const std::optional<Capacity>& capacity) {
   Json out{
       {"time", a.time}, {"weight", a.weight}, {"base_shear", json_of(a.base_shear)}, {"base_shear_over_weight", a.base_shear_over_weight}};
   for (const char* list : {"walls", "corners", "storeys", "cuts", "points"}) out[list] = Json::array();
@@ -133,6 +135,7 @@ std::string assessment_json(const Assessment& a, const std::vector<FloorAccelera
   const auto peaks = [](const auto& axis) { return Json{peak(axis[0]), peak(axis[1]), peak(axis[2])}; };
   out["base_acceleration"] = peaks(base.axis);
   for (const FloorAcceleration& p : points) out["points"].push_back({{"name", p.name}, {"acceleration", peaks(p.axis)}});
+  if (capacity) out["capacity"] = Json::parse(capacity_json(*capacity, false));
   return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

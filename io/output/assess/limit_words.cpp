@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/case.h"
 #include "cases/model.h"
 #include "geometry/message.h"
 #include "geometry/nth.h"
@@ -218,7 +219,22 @@ void csv_of(std::string& out, const char* rule, const solver::LimitState& s, con
 
 }  // namespace
 
-std::string limit_text(const LimitQuestion& asked, const cases::Model& model, const solver::LimitResult& r, const solver::LoadPath* path) {
+std::vector<Kinematics> kinematics_of(const LimitQuestion& asked, const cases::Case& c, const cases::Model& model,
+                                      const solver::LimitResult& found) {
+  std::vector<Kinematics> all;
+  if (!asked.kinematic) return all;
+  const auto follow = [&](const char* rule, const solver::LimitState& s) {
+    Kinematics k{rule, solver::kinematic_curve(c, model, found.contacts, s, asked.options.live.direction), {}};
+    k.check = check_kinematics(k.curve, *asked.kinematic, norm(c.gravity.acceleration));
+    all.push_back(std::move(k));
+  };
+  follow("associated", found.associated);
+  if (asked.options.coulomb && found.coulomb_proven()) follow("Coulomb", found.coulomb);
+  return all;
+}
+
+std::string limit_text(const LimitQuestion& asked, const cases::Model& model, const solver::LimitResult& r, const solver::LoadPath* path,
+                       const std::vector<Kinematics>& kinematics) {
   std::string out = asked.title + "\n\n";
   const auto put = [&](const char* name, const std::string& value) { out += printed("%-25s", name) + value + "\n"; };
   put("live load", asked.live);
@@ -243,10 +259,12 @@ std::string limit_text(const LimitQuestion& asked, const cases::Model& model, co
   put("programmes", std::to_string(r.associated.programmes + r.coulomb.programmes));
   print_state(out, "associated", r.associated, model, r.contacts);
   if (both && r.coulomb_proven()) print_state(out, "Coulomb", r.coulomb, model, r.contacts);
+  for (const Kinematics& k : kinematics) out += kinematic_text(k.curve, *asked.kinematic, k.check, k.rule, model.origin);
   return out;
 }
 
-std::string limit_json(const LimitQuestion& asked, const cases::Model& model, const solver::LimitResult& r, const solver::LoadPath* path) {
+std::string limit_json(const LimitQuestion& asked, const cases::Model& model, const solver::LimitResult& r, const solver::LoadPath* path,
+                       const std::vector<Kinematics>& kinematics) {
   Json out{{"title", asked.title},
            {"live", asked.live},
            {"direction", json_of(asked.options.live.direction)},
@@ -264,6 +282,9 @@ std::string limit_json(const LimitQuestion& asked, const cases::Model& model, co
            {"converged", !asked.options.coulomb || r.coulomb_proven()},
            {"associated", state_json(r.associated, model, r)},
            {"coulomb", asked.options.coulomb ? state_json(r.coulomb, model, r) : Json()}};
+  for (const Kinematics& k : kinematics)
+    out[k.rule == "Coulomb" ? "coulomb" : "associated"]["kinematic"] =
+        Json::parse(kinematic_json(k.curve, *asked.kinematic, k.check, model.origin));
   if (path != nullptr) out["positions"] = path_json(*path, asked.options.coulomb, model), out["weakest"] = *path->weakest;
   return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -82,7 +82,7 @@ std::string figure_units() {
   std::map<std::string, std::string> names;  // by unit
   for (const Figure& f : figures_of(Measures{})) {
     std::string& of_unit = names[f.unit];
-    of_unit += (of_unit.empty() ? "" : ", ") + std::string(f.name);
+    of_unit += (of_unit.empty() ? "" : ", ") + f.name;
   }
   std::string text;
   for (const auto& [unit, all] : names) text.append(text.empty() ? "" : "; ").append(all).append(": ").append(unit);

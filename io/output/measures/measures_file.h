@@ -15,7 +15,7 @@ namespace voussoir::io {
 
 /// A measure with a single value: an attribute of /summary.
 struct Figure {
-  const char* name;
+  std::string name;
   std::variant<std::int64_t, double, std::string> value;
   const char* unit;
 };

@@ -50,6 +50,35 @@ Plot base_shear_plot(const Capacity& c, double left) {
   return p;
 }
 
+/// Capacity and demand of the equivalent system in one diagram: acceleration over displacement.
+Plot demand_plot(const Capacity& c) {
+  const CapacityCurve& r = c.curve;
+  const Performance& p = *c.performance;
+  const double gamma = p.system.participation, per_mass = 1.0 / (gamma * p.system.mass);
+  const std::vector<std::size_t> rows = shown_rows(r.base_shear);
+  Plot plot{"Capacity and demand", "m/s2", picked(r.time, rows), {{"capacity curve", picked(r.base_shear, rows, per_mass)}}};
+  plot.x = over("displacement of the equivalent system", "mm", picked(r.displacement, rows, 1e3 / gamma));
+  Line spectrum{"demand, " + p.spectrum, {}, {}};
+  for (std::size_t i = 0; i < p.curve.displacement.size(); ++i) {
+    spectrum.x.push_back(1e3 * p.curve.displacement[i]);
+    spectrum.y.push_back(p.curve.acceleration[i]);
+  }
+  plot.lines.push_back(std::move(spectrum));
+  const auto add = [&](const std::string& name, const Bilinear& b, const PerformancePoint& point) {
+    if (std::isnan(b.yield) || std::isnan(b.force)) return;
+    const double until = std::max({b.yield, std::isnan(b.ultimate) ? p.end : b.ultimate, std::isnan(point.target) ? 0.0 : point.target});
+    const double top = b.force * per_mass;
+    plot.lines.push_back({name, {0.0, 1e3 * b.yield / gamma, 1e3 * until / gamma}, {0.0, top, top}});
+    add_point(plot.points, "", 1e3 * point.target_star, std::min(top, top * point.target / b.yield));
+  };
+  add("bilinear, EC 8", c.ec8, p.points[0]);
+  add("bilinear, NTC 2018", c.ntc, p.points[1]);
+  add_point(plot.points, "", 1e3 * p.points[2].target_star, p.points[2].force / p.system.mass);
+  const auto farthest = std::ranges::max_element(plot.points, {}, &Point::x);  // one name: the others lie near it
+  if (farthest != plot.points.end()) farthest->name = plot.points.size() > 1 ? "targets" : "target";
+  return plot;
+}
+
 Plot factor_plot(const Capacity& c) {
   const CapacityCurve& r = c.curve;
   const std::vector<std::size_t> rows = shown_rows(r.factor);
@@ -93,7 +122,7 @@ Json reasons(const Json& limit, const cases::Case& c, const Capacity& run) {
   if (const int mortar = limit["mortar_joints"].get<int>(); mortar > 0)
     all.push_back("Mortar: the run counts the strength of " + std::to_string(mortar) + " joints, limit analysis takes them as dry.");
   if (!c.ties.empty()) all.push_back("Ties: the run has them, limit analysis leaves them out.");
-  if (run.kind == AnalysisKind::pushover && c.analysis.pattern != LoadPattern::mass)
+  if (cases::has_push_shape(c.analysis) || (run.kind == AnalysisKind::pushover && c.analysis.pattern != LoadPattern::mass))
     all.push_back("Pattern: the run's forces are not spread as the weights, those of limit analysis are.");
   if (run.kind == AnalysisKind::pushover && !c.loads.empty() && c.analysis.pattern == LoadPattern::given)
     all.push_back("Loads: limit analysis takes loads that grow as dead ones.");
@@ -138,6 +167,7 @@ std::optional<std::string> report_capacity(const Hdf5File& file, const cases::Ca
   if (c->kind == AnalysisKind::cyclic) plots.push_back(loop_plot(*c));
   if (has_peak(*c)) {
     plots.push_back(base_shear_plot(*c, 1.0 - c->drop));
+    if (c->performance && !std::isnan(c->performance->system.participation)) plots.push_back(demand_plot(*c));
     plots.push_back(factor_plot(*c));
   }
   const Values time = thinned(r.time);

@@ -28,6 +28,19 @@ const bilinear = (c, code, name) => [
   ["… ductility", fixed(c[`${code}_ductility`], 2, "")],
 ];
 
+const METHODS = { n2_ec8: "N2, EC 8", n2_ntc: "N2, NTC 2018", capacity_spectrum: "Capacity spectrum" };
+
+/** What a spectrum asks of the capacity: [name, value]. @param p  null or undefined: there is no demand */
+function demandRows(p) {
+  if (!p) return [];
+  const points = p.points.flatMap((q) => [
+    [`${METHODS[q.name]}: target`, millimetres(q.target)],
+    [`… ${METHODS[q.name]}, demand over capacity`, is(q.demand_over_capacity) ? `${q.at_most ? "at most " : ""}${q.demand_over_capacity.toFixed(2)}` : "not known"],
+    ...(q.not_proven.length ? [[`… ${METHODS[q.name]}, not proven`, q.not_proven.join("; ")]] : []),
+  ]);
+  return [["Demand", p.spectrum], ["… participation", fixed(p.participation, 3, "")], ["… effective mass", percent((p.participation * p.mass) / p.all_mass, 0)], ["Near collapse", millimetres(p.near_collapse)], ...points];
+}
+
 /** Rows of a table: [name, value]. */
 export function capacityTable({ facts }) {
   const c = facts.capacity;
@@ -38,7 +51,7 @@ export function capacityTable({ facts }) {
     [`… ${i + 1} lost, stored`, `${l.dissipated.toFixed(2)}, ${l.stored.toFixed(2)} J`],
     [`… ${i + 1} viscous damping`, percent(l.viscous_damping, 1)],
   ]);
-  const grows = c.kind === "cyclic" ? loops : [...named(bilinear(c, "ec8", "EC 8"), "EC 8"), ...named(bilinear(c, "ntc", "NTC 2018"), "NTC"), ["At the peak", c.mechanism.join("; ")], ["At the end", c.mechanism_at_end.join("; ")]];
+  const grows = c.kind === "cyclic" ? loops : [...named(bilinear(c, "ec8", "EC 8"), "EC 8"), ...named(bilinear(c, "ntc", "NTC 2018"), "NTC"), ...demandRows(c.performance), ["At the peak", c.mechanism.join("; ")], ["At the end", c.mechanism_at_end.join("; ")]];
   return [["Borne by motion", percent(c.motion_share)], ["Kinetic energy over work", percent(c.kinetic_share)], ...grows];
 }
 

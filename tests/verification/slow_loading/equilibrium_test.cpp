@@ -160,6 +160,34 @@ TEST_CASE("V15 at rest: a parapet is pushed") {
   compare("a parapet, n = 4", c, 0.1 / 0.6 * (1.0 - 1.0 / 4.0));
 }
 
+TEST_CASE("V15 at rest: a parapet is pushed by masses times heights") {
+  cases::Case c = at_rest(load("parapet").value, AnalysisKind::pushover, 0.0, 1.0);
+  for (auto& [name, m] : c.materials) m.young *= 100.0;
+  for (auto& [name, l] : c.joint_laws) l.young *= 100.0;
+  c.analysis.pattern = cases::LoadPattern::triangular;
+  double first = 0.0, second = 0.0;  // m, m2, of the heights of six equal courses
+  for (int i = 0; i < 6; ++i) first += 0.05 + 0.1 * i, second += std::pow(0.05 + 0.1 * i, 2);
+  compare("a parapet by a triangle, n = 4", c, 0.5 * 0.1 * (1.0 - 1.0 / 4.0) * first / second);
+}
+
+TEST_CASE("V15 at rest: of three blocks in a row the one on the side of the eccentric push topples first") {
+  cases::Case c = at_rest(load("tilt").value, AnalysisKind::pushover, 1.0, 0.0);
+  const cases::BlockSpec block = c.blocks.at(0);
+  const Vec3 low = block.box->at(0), high = block.box->at(1);
+  for (int i = 1; i < 3; ++i) {
+    cases::BlockSpec next = block;
+    next.name += std::to_string(i);
+    next.box = {{low + Vec3{0.0, 1.0 * i, 0.0}, high + Vec3{0.0, 1.0 * i, 0.0}}};
+    c.blocks.push_back(next);
+  }
+  // Three equal forces a metre apart: the outermost has 1 + e L/(2/3 m2) · 1 m of the mean.
+  const double width = 2.0 + high.y - low.y;
+  for (const double side : {0.05, -0.05}) {
+    c.analysis.eccentricity = side;
+    compare(side > 0.0 ? "three blocks, to the left" : "three blocks, to the right", c, kWidth / kHeight / (1.0 + 0.05 * width * 1.5));
+  }
+}
+
 TEST_CASE("V15 at rest: an arch") {
   const Arch arch{.thickness = 0.15 / (1.0 - 1.0 / 4.0) * 1.5};
   cases::Case c = load("arch_stands").value;

@@ -47,6 +47,11 @@ inline constexpr double kEurocode8LongestPeriod = 4.0;  // s
 /// S_e(T) [m/s2] for a period from 0 to 4 s; eta = sqrt(10 / (5 + 100 damping)), at least 0.55. \pre type, ground as above
 double eurocode8(const Eurocode8& e, double period, double damping_ratio) noexcept;
 
+/// The corner period T_C at the end of its plateau [s].
+double eurocode8_corner(const Eurocode8& e) noexcept;
+/// Damping correction factor of EN 1998-1:2004, Eq. 3.6 (NTC 2018, Eq. 3.2.4): sqrt(10 / (5 + 100 damping)), at least 0.55.
+double damping_factor(double damping_ratio) noexcept;
+
 /// A target spectrum for comparison: Eurocode 8, or a table.
 struct TargetSpectrum {
   std::string name;

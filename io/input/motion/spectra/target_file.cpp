@@ -34,26 +34,23 @@ Parts parts_of(std::string_view text, std::string_view dividers) {
   }
 }
 
-[[noreturn]] void refuse(const std::string& name, const std::string& problem) {
-  throw cases::InputError("--target",
-                          shown(name) + ": " + problem + "; allowed: ec8:TYPE:GROUND:AG as in ec8:1:B:0.3g, TYPE 1 or 2, GROUND A to E, " +
-                              "AG in g or, without a unit, in m/s2, from 1e-5 to 2e5 m/s2; or a file of period [s] and acceleration");
-}
+constexpr const char* kWords =
+    "ec8:TYPE:GROUND:AG as in ec8:1:B:0.3g, TYPE 1 or 2, GROUND A to E, AG in g or, without a unit, in m/s2, "
+    "from 1e-5 to 2e5 m/s2";
 
-Eurocode8 eurocode8_of(const std::string& name) {
+/// The spectrum, or what is wrong with its words.
+std::string parse(const std::string& name, Eurocode8& e) {
   const Parts parts = parts_of(name, ":");
-  if (parts.size() != 4) refuse(name, "wanted four parts");
-  Eurocode8 e;
-  if (parts[1] != "1" && parts[1] != "2") refuse(name, "no type " + shown(parts[1]));
+  if (parts.size() != 4 || parts[0] != "ec8") return "wanted four parts";
+  if (parts[1] != "1" && parts[1] != "2") return "no type " + shown(parts[1]);
   e.type = parts[1] == "1" ? 1 : 2;
   const std::string ground = upper(parts[2]);
-  if (ground.size() != 1 || ground[0] < 'A' || ground[0] > 'E') refuse(name, "no ground " + shown(parts[2]));
+  if (ground.size() != 1 || ground[0] < 'A' || ground[0] > 'E') return "no ground " + shown(parts[2]);
   e.ground = ground[0];
   const bool in_g = parts[3].ends_with('g');
   const auto ag = finite_number(std::string_view(parts[3]).substr(0, parts[3].size() - (in_g ? 1 : 0)));
   e.ag = ag.value_or(0.0) * (in_g ? cases::kStandardGravity : 1.0);
-  if (!is_possible(e.ag)) refuse(name, "no acceleration " + shown(parts[3]));
-  return e;
+  return is_possible(e.ag) ? "" : "no acceleration " + shown(parts[3]);
 }
 
 /// The text in brackets: "g" of "Sa [g]"; empty without brackets.
@@ -120,10 +117,28 @@ class TargetReader {
 
 }  // namespace
 
-TargetSpectrum read_target(const std::string& name, const std::optional<std::string>& unit) {
-  if (name.starts_with("ec8:")) return {name, eurocode8_of(name), {}, {}};
+bool is_eurocode8(const std::string& words) { return words.starts_with("ec8:"); }
+
+std::string eurocode8_fault(const std::string& words) {
+  Eurocode8 e;
+  const std::string problem = parse(words, e);
+  return problem.empty() ? "" : shown(words) + ": " + problem + "; allowed: " + kWords;
+}
+
+Eurocode8 eurocode8_of(const std::string& words) {
+  Eurocode8 e;
+  parse(words, e);
+  return e;
+}
+
+TargetSpectrum read_target(const std::string& name, const std::optional<std::string>& unit, const std::string& option) {
   std::error_code error;
-  if (!std::filesystem::exists(name, error)) refuse(name, "no such file");
+  Eurocode8 e;
+  const bool is_code = is_eurocode8(name);
+  const std::string problem = is_code ? parse(name, e) : !std::filesystem::exists(name, error) ? "no such file" : "";
+  if (!problem.empty())
+    throw cases::InputError(option, shown(name) + ": " + problem + "; allowed: " + kWords + "; or a file of period [s] and acceleration");
+  if (is_code) return {name, e, {}, {}};
   const std::string text = read_foreign_text(name, kLargestMotionFile);
   LineReader lines(text);
   TargetReader reader(name);

@@ -17,11 +17,17 @@ constexpr Ground kType1[] = {
 constexpr Ground kType2[] = {
     {1.0, 0.05, 0.25, 1.2}, {1.35, 0.05, 0.25, 1.2}, {1.5, 0.10, 0.25, 1.2}, {1.8, 0.10, 0.30, 1.2}, {1.6, 0.05, 0.25, 1.2}};
 
+const Ground& ground_of(const Eurocode8& e) noexcept { return (e.type == 1 ? kType1 : kType2)[e.ground - 'A']; }
+
 }  // namespace
 
+double damping_factor(double damping_ratio) noexcept { return std::max(0.55, std::sqrt(10.0 / (5.0 + 100.0 * damping_ratio))); }
+
+double eurocode8_corner(const Eurocode8& e) noexcept { return ground_of(e).tc; }
+
 double eurocode8(const Eurocode8& e, double period, double damping_ratio) noexcept {
-  const Ground& g = (e.type == 1 ? kType1 : kType2)[e.ground - 'A'];
-  const double eta = std::max(0.55, std::sqrt(10.0 / (5.0 + 100.0 * damping_ratio)));  // Eq. 3.6
+  const Ground& g = ground_of(e);
+  const double eta = damping_factor(damping_ratio);
   const double plateau = 2.5 * eta, ground = e.ag * g.s;
   if (period < g.tb) return ground * (1.0 + period / g.tb * (plateau - 1.0));  // Eq. 3.2
   if (period <= g.tc) return ground * plateau;                                 // Eq. 3.3

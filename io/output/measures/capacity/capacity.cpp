@@ -10,6 +10,7 @@
 
 #include "io/input/case_file/case_file.h"
 #include "io/input/files/hdf5_file.h"
+#include "io/output/measures/capacity/equivalent_system.h"
 #include "io/output/measures/debris/bodies.h"
 #include "io/output/replay/collapse_parts.h"
 #include "io/output/replay/frame_reader.h"
@@ -27,6 +28,7 @@ constexpr double kLeastShear = 1e-3;   // of the loads: a smaller base shear cou
 constexpr double kRoundOff = 1e-8;     // of a largest value: a row that comes so close to it has it
 constexpr double kLeftOpen = 1e-3;     // the same of states of rest, by what their tolerance leaves open
 constexpr double kHalf = 0.5;          // of the least size of an element: it has fallen if it has moved farther while gravity was put on
+constexpr double kNearCollapse = 0.8;  // of the largest base shear, on the falling branch: EN 1998-3:2005, C.4.1.1
 constexpr double kItalianShare = 0.7;  // of the largest base shear: point on the elastic branch
 
 using Values = std::vector<double>;
@@ -145,6 +147,7 @@ void look_at_shear(Capacity& c, double drop, double weight) {
   const double left = (1.0 - drop) * c.peak_shear;
   c.ultimate_displacement = crossing(r.displacement, r.base_shear, peak + 1, r.time.size(), left);
   c.ultimate_drift = crossing(r.drift, r.base_shear, peak + 1, r.time.size(), left);
+  c.near_collapse = crossing(r.displacement, r.base_shear, peak + 1, r.time.size(), kNearCollapse * c.peak_shear);
   c.ec8 = ec8_of(c, peak);
   c.ntc = ntc_of(c, peak);
 }
@@ -339,7 +342,19 @@ std::optional<Capacity> capacity_figures(const Hdf5File& run) {
 
 std::optional<Capacity> capacity_of(const Hdf5File& run) {
   std::optional<Capacity> c = capacity_figures(run);
-  if (c) look_at_mechanism(run, *c);
+  if (!c) return c;
+  look_at_mechanism(run, *c);
+  const cases::Analysis a = read_case({run.path(), run.attribute_text("/case", "toml")}).value.analysis;
+  if (!a.demand.empty()) look_at_demand(run, a.direction, read_demand(a.demand, a.demand_damping, {}, {}, "analysis.demand"), *c);
+  return c;
+}
+
+std::optional<Capacity> capacity_under(const Hdf5File& run, const DemandSpectrum& demand, const std::string& option) {
+  std::optional<Capacity> c = capacity_figures(run);
+  if (!c || c->kind != cases::AnalysisKind::pushover)
+    throw cases::InputError(option, "asks for the capacity curve of a pushover; " + run.path() + " has none");
+  look_at_mechanism(run, *c);
+  look_at_demand(run, read_case({run.path(), run.attribute_text("/case", "toml")}).value.analysis.direction, demand, *c);
   return c;
 }
 

@@ -4,33 +4,19 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cases/tables/analysis.h"
+#include "io/output/measures/capacity/capacity_curve.h"
+#include "io/output/measures/capacity/performance.h"
 
 /// Results of a quasi-static analysis: the capacity curve, its bilinear forms, the multiplier, the mechanism. Definitions and sources:
 /// io/MEASURES.md.
 namespace voussoir::io {
 
 class Hdf5File;
-
-/// Rows of /assessment, and energies at the same times.
-struct CapacityCurve {
-  std::vector<double> time;                                            // s
-  std::vector<double> factor, displacement, drift, moved, base_shear;  // 1, m, 1, m, N
-  std::vector<double> support_moved, over;                             // m, 0 or 1
-  std::vector<double> input, kinetic, damping, losses, stored;         // J; losses include damping, stored includes kinetic
-  std::vector<double> unbalanced;  // 1, how far each row is from a state of rest; empty: rows of a motion
-};
-
-/// An elastic-perfectly plastic curve.
-struct Bilinear {
-  double stiffness = kNone, force = kNone, yield = kNone, ultimate = kNone, ductility = kNone;  // N/m, N, m, m, 1
-  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-};
 
 /// One cycle: between two upward zero crossings of the displacement of the forces.
 struct Loop {
@@ -59,7 +45,9 @@ struct Capacity {
   double peak_shear = 0.0, peak_displacement = 0.0, peak_time = 0.0;                 // N, m, s
   double first_stiffness = Bilinear::kNone;                                          // N/m
   double ultimate_displacement = Bilinear::kNone, ultimate_drift = Bilinear::kNone;  // m, 1
+  double near_collapse = Bilinear::kNone;  // m, of the control point: base shear at 80 % of its largest, whatever `drop` is
   Bilinear ec8, ntc;
+  std::optional<Performance> performance;                  // with a demand
   double least_factor = 0.0;                               // cyclic: largest factor in the opposite direction
   double loop_area = 0.0, dissipated = 0.0, stored = 0.0;  // J: work of the pattern's forces; losses; growth of the stored energy
   std::vector<Loop> loops;                                 // cyclic: complete cycles
@@ -72,8 +60,11 @@ struct Capacity {
 /// Complete cycles of a curve. \param weight  N, of all forces at a load factor of 1
 std::vector<Loop> loops_of(const CapacityCurve& curve, double weight);
 
-/// The capacity of a run with its mechanism; nothing for a time history, or for an analysis without rows. \throw FileError
+/// The capacity of a run with its mechanism and, where the case has a demand, its performance; nothing for a time history, or for an
+/// analysis without rows. \throw FileError
 std::optional<Capacity> capacity_of(const Hdf5File& run);
+/// The same against another demand than the case's. \throw FileError; cases::InputError at `option` if the run is no pushover
+std::optional<Capacity> capacity_under(const Hdf5File& run, const DemandSpectrum& demand, const std::string& option);
 /// The capacity of a run without the mechanism.
 std::optional<Capacity> capacity_figures(const Hdf5File& run);
 /// Whether the analysis has a largest load, after which a mechanism moves.

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/input/files/hdf5_file.h"
+#include "io/output/measures/capacity/performance_file.h"
 
 namespace voussoir::io {
 namespace {
@@ -149,8 +150,12 @@ std::vector<Figure> figures_of(const Capacity& c) {
   f.push_back({"first_stiffness", c.first_stiffness, "N/m (NaN: none)"});
   f.push_back({"ultimate_displacement", c.ultimate_displacement, "m (NaN: not reached)"});
   f.push_back({"ultimate_drift", c.ultimate_drift, "1 (NaN: not reached)"});
+  f.push_back({"near_collapse", c.near_collapse, "m (NaN: not reached)"});
   add_bilinear(f, {"ec8_stiffness", "ec8_force", "ec8_yield", "ec8_ductility"}, c.ec8);
   add_bilinear(f, {"ntc_stiffness", "ntc_force", "ntc_yield", "ntc_ductility"}, c.ntc);
+  if (!c.performance) return f;
+  const std::vector<Figure> more = figures_of(*c.performance);
+  f.insert(f.end(), more.begin(), more.end());
   return f;
 }
 
@@ -158,6 +163,7 @@ std::string capacity_json(const Capacity& c, bool with_curve) {
   Json out;
   for (const Figure& f : figures_of(c)) std::visit([&](const auto& value) { out[f.name] = value; }, f.value);
   if (c.kind == AnalysisKind::cyclic) out["loops"] = loops_json(c.loops);
+  if (c.performance) out["performance"] = Json::parse(performance_json(*c.performance));
   out["mechanism"] = c.mechanism;
   out["mechanism_time"] = c.mechanism_time;
   out["mechanism_at_end"] = c.mechanism_at_end;
@@ -202,8 +208,12 @@ std::string capacity_text(const Capacity& c) {
     text += std::isnan(c.ultimate_displacement)
                 ? line("ultimate", on ? "not reached so far" : "not reached")
                 : line("ultimate", "%.3f mm, drift %.3f %%", 1e3 * c.ultimate_displacement, 1e2 * c.ultimate_drift);
+    text += std::isnan(c.near_collapse) ? line("near collapse", on ? "not reached so far" : "not reached")
+                                        : line("near collapse", "%.3f mm, 80 %% of the base shear left; significant damage (3/4) %.3f mm",
+                                               1e3 * c.near_collapse, 0.75e3 * c.near_collapse);
     text += bilinear_text("bilinear, EC 8", c.ec8);
     text += bilinear_text("bilinear, NTC 2018", c.ntc);
+    if (c.performance) text += performance_text(*c.performance);
   }
   return text + mechanisms(c);
 }

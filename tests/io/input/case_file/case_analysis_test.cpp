@@ -60,6 +60,32 @@ TEST_CASE("analysis: every key of a pushover is read and written") {
   CHECK(io::resolved_toml(read(resolved)) == resolved);
 }
 
+TEST_CASE("analysis: a triangular push with eccentricity and a demand is read and written, and what does not go with it is refused") {
+  const cases::Case c =
+      read(analysis("kind = \"pushover\"\npattern = \"triangular\"\neccentricity = -0.05\ndemand = \"ec8:2:c:1.5\"\n"
+                    "demand_damping = 0.04\n"));
+  CHECK(c.analysis.pattern == cases::LoadPattern::triangular);
+  CHECK(c.analysis.eccentricity == -0.05);
+  CHECK(c.analysis.demand == "ec8:2:c:1.5");
+  CHECK(c.analysis.demand_damping == 0.04);
+  CHECK(has_push_shape(c.analysis));
+  const std::string resolved = io::resolved_toml(c);
+  CHECK(io::resolved_toml(read(resolved)) == resolved);
+  CHECK_FALSE(has_push_shape(read(analysis("kind = \"pushover\"\n")).analysis));
+  CHECK_FALSE(has_push_shape(read(analysis("kind = \"tilt\"\n")).analysis));
+  const auto says = [](const std::string& keys, const std::string& words) {
+    const std::string got = refusal(analysis(keys));
+    CHECK_MESSAGE(got.find(words) != std::string::npos, got);
+  };
+  says("kind = \"tilt\"\neccentricity = 0.05\n", "goes only with kind = \"pushover\" and a pattern other than \"given\"");
+  says("kind = \"pushover\"\npattern = \"given\"\neccentricity = 0.05\n", "goes only with kind = \"pushover\" and a pattern other than");
+  says("kind = \"pushover\"\neccentricity = 5.0\n", "eccentricity");
+  says("kind = \"tilt\"\ndemand = \"ec8:1:A:0.1g\"\n", "demand = \"ec8:1:A:0.1g\": goes only with kind = \"pushover\"");
+  says("kind = \"pushover\"\ndemand = \"spectrum.csv\"\n", "wanted four parts; allowed: ec8:TYPE:GROUND:AG");
+  says("kind = \"pushover\"\ndemand = \"ec8:1:F:0.1g\"\n", "no ground 'F'");
+  says("kind = \"pushover\"\ndemand_damping = 0.1\n", "goes only with demand");
+}
+
 TEST_CASE("analysis: every key of a cyclic test is read and written") {
   const cases::Case c =
       read(kPushed + "follows = true\n" + analysis("kind = \"cyclic\"\namplitudes = [0.001, 0.002]\ncycles = 3\nlevel = true\n"));

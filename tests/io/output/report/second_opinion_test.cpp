@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -46,6 +48,31 @@ std::string opinion_on(const std::string& limit) {
   }
 }
 
+/// The plots of a pushover along y of the two cubes, which move together, with and without a demand.
+std::vector<page::Plot> plots_under(const std::string& demand) {
+  const TempFolder folder;
+  ResultsWriter writer(folder.path(), two_cubes(),
+                       std::string(kCase) + "\n[analysis]\nkind = \"pushover\"\ndirection = [0.0, 2.0]\n" + demand, kNames, {}, by_hand());
+  solver::Drive drive;
+  drive.frequency = 10.0, drive.pace = 2.0, drive.weight = 100.0;
+  writer.drive(drive);
+  for (int i = 0; i <= 40; ++i) {
+    const double t = 0.1 * i, factor = i < 20 ? 0.05 * i : 2.0 - 0.05 * i;
+    solver::EnergyRow energy;
+    energy.time = t, energy.input = 0.01 * i;
+    writer.energy(energy);
+    writer.forces({t, {0.0, -100.0 * factor, 0.0}, {}});
+    writer.assessment({t, factor, 0.001 * i, 0.002 * i, 0.001 * i, 100.0 * factor, 0.0, 0.0});
+    const auto y = static_cast<float>(0.001 * i);
+    writer.frame({t, std::array<float, 6>{0, y, 0, 0, y, 0}, std::array<float, 8>{1, 0, 0, 0, 1, 0, 0, 0}, std::array<float, 2>{0, 0}});
+  }
+  writer.finish();
+  const Hdf5File run = Hdf5File::open(folder.file("run.h5"));
+  std::vector<page::Plot> plots;
+  report_capacity(run, nullptr, plots);
+  return plots;
+}
+
 std::string limit_of(const std::string& title, const std::string& direction, int mortar) {
   return "{\"title\": \"" + title + "\", \"direction\": " + direction + R"(, "cone_error": 0.076, "converged": true, "mortar_joints": )" +
          std::to_string(mortar) + R"(, "associated": {"multiplier": 0.21}, "coulomb": {"multiplier": 0.19}})";
@@ -64,6 +91,25 @@ TEST_CASE("limit analysis stands beside a pushover as a second opinion, with the
   CHECK(opinion_on(limit_of("a wall", y, 7)).find("limit.json: is of another case, \"a wall\"") != std::string::npos);
   for (const char* text : {"{", "[1, 2]", R"({"title": "two cubes"})"})
     CHECK(opinion_on(text).find("limit.json: is not what `voussoir limit CASE --format json` writes") != std::string::npos);
+}
+
+TEST_CASE("capacity and demand stand in one diagram, where there is a demand") {
+  const auto titled = [](const std::vector<page::Plot>& plots) {
+    return std::ranges::find_if(plots, [](const page::Plot& p) { return p.title == "Capacity and demand"; });
+  };
+  const std::vector<page::Plot> plots = plots_under("demand = \"ec8:1:B:0.1g\"\n"), without = plots_under("");
+  CHECK(titled(without) == without.end());
+  const auto plot = titled(plots);
+  REQUIRE(plot != plots.end());
+  CHECK(plot->lines.at(0).name == "demand, ec8:1:B:0.1g");
+  CHECK(plot->lines.at(1).name == "bilinear, EC 8");
+  REQUIRE_FALSE(plot->points.empty());
+  // The cubes go alike: Γ is 1, and acceleration times their mass is the base shear.
+  const auto most = std::ranges::max_element(plots[0].curves.at(0).y), here = std::ranges::max_element(plot->curves.at(0).y);
+  CHECK(1e3 * *most / *here == doctest::Approx(1e3 * plots[0].curves.at(0).y.at(5) / plot->curves.at(0).y.at(5)));
+  CHECK(plot->x->values.back() == doctest::Approx(plots[0].x->values.back()).epsilon(1e-4));
+  // On the spectrum: S_e on its plateau is 2.5 · 1.2 · 0.1 g.
+  CHECK(*std::ranges::max_element(plot->lines[0].y) == doctest::Approx(2.5 * 1.2 * 0.980665));
 }
 
 }  // namespace voussoir::io

@@ -139,3 +139,51 @@ TEST_CASE("assess: the motion of the base is the run's, though its record has go
   CHECK(refused.code == 3);
   CHECK(refused.text.find("base shear") == std::string::npos);
 }
+
+TEST_CASE("assess: a pushover against a spectrum, and what it has to say where it cannot compare") {
+  const Words w;
+  const std::string block(kBlock);
+  w.folder.write("push.toml", block.substr(0, block.find("[[output.history]]")) +
+                                  "[analysis]\nkind = \"pushover\"\ndemand = \"ec8:1:B:0.2g\"\n" + block.substr(block.find("[[block]]")));
+  REQUIRE(w.run("run push.toml -o out --quiet -j 1").code == 0);
+  // One element, so φ = 1 and Γ = 1; frames are in single precision.
+  const Json capacity = Json::parse(w.run("summary out --format json").text)["capacity"];
+  CHECK(capacity["participation"].get<double>() == doctest::Approx(1.0).epsilon(2e-4));
+  CHECK(capacity["equivalent_mass"].get<double>() == doctest::Approx(240.0).epsilon(2e-4));
+  const double period = capacity["n2_ec8_period"].get<double>(), force = capacity["ec8_force"].get<double>();
+  const double yield = capacity["ec8_yield"].get<double>();
+  CHECK(period == doctest::Approx(2.0 * 3.14159265358979 * std::sqrt(240.0 * yield / force)).epsilon(2e-4));
+  const shell::Outcome text = w.output("assess out --demand ec8:1:B:0.05g --demand-damping 0.05");
+  CHECK(text.code == 0);
+  CHECK(text.text.find("demand               ec8:1:B:0.05g, 5.0 % of damping, T_C 0.50 s") != std::string::npos);
+  CHECK(text.text.find("equivalent system    participation 1.000, m* 0.24 t of 0.24 t, effective 100.0 %") != std::string::npos);
+  const Json json = Json::parse(w.output("assess out --format json").text)["capacity"]["performance"];
+  CHECK(json["spectrum"] == "ec8:1:B:0.2g");
+  CHECK(json["points"][0]["target"].get<double>() == doctest::Approx(capacity["n2_ec8_target"].get<double>()));
+  w.folder.write("s.csv", "0.01, 2\n3.0, 2\n");
+  CHECK(w.run("assess out --demand s.csv").text.find("the unit of acceleration is not stated") != std::string::npos);
+  CHECK(w.run("assess out --demand s.csv --unit m/s2 --corner-period 0.4").text.find("T_C 0.40 s") != std::string::npos);
+  const shell::Outcome unknown = w.run("assess out --demand ec8:1:Q:0.2g");
+  CHECK(unknown.code == 2);
+  CHECK(unknown.text.find("--demand: 'ec8:1:Q:0.2g': no ground 'Q'; allowed: ec8:TYPE:GROUND:AG") != std::string::npos);
+  CHECK(w.run("assess out --corner-period 0.4").text.find("--demand: is missing") != std::string::npos);
+  REQUIRE(w.run("run block.toml -o shaken --quiet -j 1").code == 0);
+  const shell::Outcome none = w.run("assess shaken --demand ec8:1:B:0.2g");
+  CHECK(none.code == 2);
+  CHECK(none.text.find("asks for the capacity curve of a pushover") != std::string::npos);
+}
+
+TEST_CASE("limit: the kinematic analysis of a block, and what it asks for" * doctest::skip(!voussoir::solver::has_linear_programmes())) {
+  const Words w;
+  const shell::Outcome text = w.output("limit block.toml --kinematic --demand ec8:1:B:0.2g --quiet --associated");
+  CHECK(text.code == 0);
+  CHECK(text.text.find("multiplier 0.40000, e* 1.0000, a_0 = 2.9037 m/s2 with FC = 1.35") != std::string::npos);
+  CHECK(text.text.find("d_C0 = 0.20000 m, d_0 = 0.20000 m") != std::string::npos);
+  CHECK(text.text.find("linear, SLV, q = 2       demand 1.177 m/s2, capacity 2.904 m/s2: demand over capacity 0.405") != std::string::npos);
+  const Json json = Json::parse(w.output("limit block.toml --kinematic --confidence 1 --quiet --format json").text);
+  CHECK(json["associated"]["kinematic"]["activation"].get<double>() == doctest::Approx(0.4 * 9.8));
+  CHECK(json["coulomb"]["kinematic"]["zero"].get<double>() == doctest::Approx(0.2).epsilon(1e-5));
+  for (const char* bad : {"--demand ec8:1:B:0.2g", "--kinematic --direction z", "--kinematic --on block", "--kinematic --height 3",
+                          "--kinematic --demand ec8:1:B:0.2g --height 9 --building-height 8 --building-period 0.3"})
+    CHECK_MESSAGE(w.run(std::string("limit block.toml --associated --quiet ") + bad).code == 2, bad);
+}

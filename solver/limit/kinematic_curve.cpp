@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/limit/kinematic_curve.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "cases/case.h"
+#include "cases/loads/gravity.h"
+#include "cases/loads/loads.h"
+#include "cases/model.h"
+#include "geometry/nth.h"
+#include "solver/limit/mechanism.h"
+
+namespace voussoir::solver {
+namespace {
+
+constexpr std::size_t kMostParts = 24;  // more are no mechanism that one can draw, and take long
+constexpr double kAtRest = 1e-3;        // of the fastest point: relative speed of a point on a hinge
+constexpr double kRank = 3e-3;          // relative singular value below which a hinge holds nothing
+constexpr int kSteps = 200;             // up to the displacement at which the first slope would lead to zero
+constexpr int kMostSteps = 5 * kSteps;
+constexpr double kFirstStep = 1e-4;  // m, of the fastest point
+
+/// A force that stays in its direction, at a point of the material of a part.
+struct DeadForce {
+  std::size_t part = 0;
+  Vec3 at, force, moment;  // m, from the part's centre at first; N; N m
+};
+
+/// Two material points that stay together. \param b  −1: the ground
+struct HingePoint {
+  std::int32_t a = -1, b = -1;  // parts
+  Vec3 on_a, on_b;              // m, from the centres at first (of the ground: the place)
+};
+
+/// Places of the parts: centre of mass, and rotation since the beginning.
+struct Place {
+  Vec3 centre;
+  Mat3 turn;
+};
+
+Vec3 turned(const Place& p, Vec3 arm) { return p.turn * arm; }
+
+class Chain {
+ public:
+  Chain(const cases::Case& c, const cases::Model& model, const LimitContacts& contacts, const Mechanism& mechanism, Vec3 live)
+      : live_(live), gravity_(cases::gravity_on_base(c)) {
+    std::vector<std::int32_t> part_of(contacts.bodies.size(), -1);
+    for (std::size_t k = 0; k < mechanism.parts.size(); ++k) {
+      const MechanismPart& p = mechanism.parts[k];
+      for (const std::int32_t b : p.bodies) nth(part_of, b) = static_cast<std::int32_t>(k);
+      mass_.push_back(p.mass), start_.push_back({p.centre}), motion_.push_back(p.motion);
+    }
+    length_ = 0.0;
+    for (const LimitPoint& p : contacts.points)
+      for (const Place& s : start_) length_ = std::max(length_, norm(p.at - s.centre));
+    add_hinges(contacts, mechanism, part_of);
+    add_loads(c, model, contacts, part_of);
+  }
+
+  [[nodiscard]] const std::vector<Place>& start() const { return start_; }
+  [[nodiscard]] const std::vector<kernels::Twist>& motion() const { return motion_; }
+  [[nodiscard]] const std::vector<HingePoint>& hinges() const { return hinges_; }
+  [[nodiscard]] const std::vector<double>& mass() const { return mass_; }
+
+  /// The motion nearest to `before` in which the hinges hold.
+  [[nodiscard]] std::vector<kernels::Twist> held(const std::vector<Place>& at, const std::vector<kernels::Twist>& before) const {
+    if (hinges_.empty()) return before;
+    const Eigen::MatrixXd a = constraints(at);
+    Eigen::VectorXd v = packed(before);
+    v -= decomposed(a).solve(a * v);
+    return unpacked(v);
+  }
+  [[nodiscard]] std::size_t freedoms() const {
+    const std::size_t all = 6 * mass_.size();
+    return hinges_.empty() ? all : all - static_cast<std::size_t>(decomposed(constraints(start_)).rank());
+  }
+  /// The multiplier by virtual work. NaN: the live forces do no work.
+  [[nodiscard]] double multiplier(const std::vector<Place>& at, const std::vector<kernels::Twist>& motion) const {
+    double dead = 0.0, live = 0.0;
+    for (std::size_t k = 0; k < mass_.size(); ++k) {
+      dead += mass_[k] * dot(gravity_, motion[k].v);
+      live += mass_[k] * norm(gravity_) * dot(live_, motion[k].v);
+    }
+    for (const DeadForce& f : forces_) {
+      const Vec3 arm = turned(at[f.part], f.at);
+      dead += dot(f.force, motion[f.part].v + cross(motion[f.part].w, arm)) + dot(f.moment, motion[f.part].w);
+    }
+    return live > 0.0 ? -dead / live : KinematicCurve::kNone;
+  }
+
+ private:
+  void add_hinges(const LimitContacts& contacts, const Mechanism& mechanism, const std::vector<std::int32_t>& part_of) {
+    for (const LimitPoint& p : contacts.points) {
+      const std::int32_t a = p.a < 0 ? -1 : nth(part_of, p.a), b = p.b < 0 ? -1 : nth(part_of, p.b);
+      if (a == b) continue;
+      const auto of = std::minmax(a, b);
+      const bool hinge =
+          std::ranges::any_of(mechanism.seams, [&](const MechanismSeam& s) { return s.hinge && s.a == of.first && s.b == of.second; });
+      if (!hinge || norm(speed(b, p.at) - speed(a, p.at)) >= kAtRest) continue;
+      const auto arm = [&](std::int32_t part) { return part < 0 ? p.at : p.at - nth(start_, part).centre; };
+      hinges_.push_back({a, b, arm(a), arm(b)});
+    }
+  }
+  void add_loads(const cases::Case& c, const cases::Model& model, const LimitContacts& contacts, const std::vector<std::int32_t>& part_of) {
+    for (std::size_t i = 0; i < c.loads.size(); ++i) {
+      for (const cases::LoadShare& share : cases::load_shares(model, c.loads[i], i)) {
+        const std::int32_t body = nth(contacts.body_of, share.element), part = body < 0 ? -1 : nth(part_of, body);
+        if (part < 0) continue;
+        forces_.push_back({static_cast<std::size_t>(part), share.point - nth(start_, part).centre, share.part * c.loads[i].force,
+                           share.part * c.loads[i].moment});
+      }
+    }
+  }
+  [[nodiscard]] Vec3 speed(std::int32_t part, Vec3 at) const {
+    return part < 0 ? Vec3{} : nth(motion_, part).v + cross(nth(motion_, part).w, at - nth(start_, part).centre);
+  }
+  /// Three rows a hinge point: the relative velocity of its two sides. Rotations count times a length.
+  [[nodiscard]] Eigen::MatrixXd constraints(const std::vector<Place>& at) const {
+    Eigen::MatrixXd m = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(3 * hinges_.size()), static_cast<Eigen::Index>(6 * mass_.size()));
+    const auto put = [&](Eigen::Index row, std::int32_t part, Vec3 arm, double sign) {
+      if (part < 0) return;
+      const Vec3 r = turned(nth(at, part), arm);
+      const Eigen::Index k = 6 * static_cast<Eigen::Index>(part);
+      const double s = sign / length_;
+      for (Eigen::Index i = 0; i < 3; ++i) m(row + i, k + i) = sign;  // v + w × r
+      m(row, k + 4) = s * r.z, m(row, k + 5) = -s * r.y;
+      m(row + 1, k + 3) = -s * r.z, m(row + 1, k + 5) = s * r.x;
+      m(row + 2, k + 3) = s * r.y, m(row + 2, k + 4) = -s * r.x;
+    };
+    for (std::size_t i = 0; i < hinges_.size(); ++i) {
+      put(static_cast<Eigen::Index>(3 * i), hinges_[i].a, hinges_[i].on_a, 1.0);
+      put(static_cast<Eigen::Index>(3 * i), hinges_[i].b, hinges_[i].on_b, -1.0);
+    }
+    return m;
+  }
+  [[nodiscard]] static Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposed(const Eigen::MatrixXd& a) {
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> d;
+    d.setThreshold(kRank);
+    d.compute(a);
+    return d;
+  }
+  [[nodiscard]] Eigen::VectorXd packed(const std::vector<kernels::Twist>& motion) const {
+    Eigen::VectorXd v(static_cast<Eigen::Index>(6 * motion.size()));
+    for (std::size_t k = 0; k < motion.size(); ++k) {
+      const kernels::Twist& t = motion[k];
+      v.segment<6>(6 * static_cast<Eigen::Index>(k)) << t.v.x, t.v.y, t.v.z, length_ * t.w.x, length_ * t.w.y, length_ * t.w.z;
+    }
+    return v;
+  }
+  [[nodiscard]] std::vector<kernels::Twist> unpacked(const Eigen::VectorXd& v) const {
+    std::vector<kernels::Twist> motion(mass_.size());
+    for (std::size_t k = 0; k < motion.size(); ++k) {
+      const auto s = v.segment<6>(6 * static_cast<Eigen::Index>(k));
+      motion[k] = {{s[0], s[1], s[2]}, Vec3{s[3], s[4], s[5]} / length_};
+    }
+    return motion;
+  }
+
+  Vec3 live_, gravity_;  // unit; m/s2
+  double length_ = 1.0;  // m
+  std::vector<double> mass_;
+  std::vector<Place> start_;
+  std::vector<kernels::Twist> motion_;  // at first
+  std::vector<HingePoint> hinges_;
+  std::vector<DeadForce> forces_;
+};
+
+/// Rotation by a rotation vector.
+Mat3 turned_by(Vec3 by) {
+  const double angle = norm(by);
+  if (angle == 0.0) return {};
+  const Vec3 s = (std::sin(0.5 * angle) / angle) * by;
+  return rotation(Quaternion{std::cos(0.5 * angle), s.x, s.y, s.z});
+}
+
+/// The places after a while of a motion.
+std::vector<Place> moved(const std::vector<Place>& from, const std::vector<kernels::Twist>& motion, double time) {
+  std::vector<Place> to(from.size());
+  for (std::size_t k = 0; k < from.size(); ++k) to[k] = {from[k].centre + time * motion[k].v, turned_by(time * motion[k].w) * from[k].turn};
+  return to;
+}
+
+/// e* and d/d_C of the first motion, from the parts' weights and their horizontal velocities.
+void take_shares(KinematicCurve& out, const std::vector<MechanismPart>& parts, Vec3 live, std::size_t control, double gravity) {
+  double all = 0.0, first = 0.0, second = 0.0;
+  for (const MechanismPart& part : parts) {
+    const double p = part.mass * gravity, d = dot(part.motion.v, live);
+    all += p, first += p * d, second += p * d * d;
+  }
+  out.weight = all;
+  out.participation = first * first / (all * second);
+  out.spectral = second / (dot(parts[control].motion.v, live) * first);
+}
+
+/// Follows the motion until the multiplier is zero.
+void follow(KinematicCurve& out, const Chain& chain, Vec3 live, std::size_t control) {
+  std::vector<Place> at = chain.start();
+  std::vector<kernels::Twist> motion = chain.held(at, chain.motion());
+  double multiplier = chain.multiplier(at, motion);
+  out.points.push_back({0.0, multiplier});
+  // The first step is short; the following ones go by the slope that it has found.
+  double step = kFirstStep;
+  for (int n = 0; n < kMostSteps; ++n) {
+    const std::vector<Place> half = moved(at, motion, 0.5 * step);
+    const std::vector<kernels::Twist> middle = chain.held(half, motion);
+    at = moved(at, middle, step);
+    motion = chain.held(at, middle);
+    const double before = multiplier, d = dot(at[control].centre - chain.start()[control].centre, live);
+    multiplier = chain.multiplier(at, motion);
+    if (std::isnan(multiplier) || d <= out.points.back().displacement) {
+      out.none = "the mechanism does not go on along the live load: it is followed no farther";
+      return;
+    }
+    const double from = out.points.back().displacement;
+    out.points.push_back({d, multiplier});
+    if (multiplier <= 0.0) {
+      out.zero = from + (d - from) * before / (before - multiplier);
+      out.points.back() = {out.zero, 0.0};
+      return;
+    }
+    if (n == 0) {
+      if (multiplier >= before) {
+        out.none =
+            "the multiplier does not fall as the mechanism moves, as of one that slides: there is no displacement at which it is zero";
+        return;
+      }
+      step *= before / (before - multiplier) / kSteps;
+    }
+  }
+  out.none = "the multiplier is not zero at five times the displacement to which its first slope leads";
+}
+
+}  // namespace
+
+double KinematicCurve::at(double displacement) const {
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (displacement > points[i].displacement) continue;
+    const KinematicPoint &a = points[i - 1], &b = points[i];
+    return a.multiplier + (b.multiplier - a.multiplier) * (displacement - a.displacement) / (b.displacement - a.displacement);
+  }
+  return points.back().multiplier;
+}
+
+KinematicCurve kinematic_curve(const cases::Case& c, const cases::Model& model, const LimitContacts& contacts, const LimitState& state,
+                               Vec3 live) {
+  KinematicCurve out;
+  const Mechanism mechanism = mechanism_of(contacts, state);
+  const std::vector<MechanismPart>& parts = mechanism.parts;
+  out.parts = parts.size();
+  std::size_t control = 0;
+  for (std::size_t k = 1; k < parts.size(); ++k)
+    if (dot(parts[k].motion.v, live) > dot(parts[control].motion.v, live)) control = k;
+  if (parts.empty() || !(dot(parts[control].motion.v, live) > 0.0)) {
+    out.none = "no part moves along the live load";
+    return out;
+  }
+  out.control = parts[control].centre;
+  out.sliding = static_cast<std::size_t>(std::ranges::count_if(mechanism.seams, [](const MechanismSeam& s) { return !s.hinge; }));
+  take_shares(out, parts, live, control, norm(c.gravity.acceleration));
+  if (parts.size() > kMostParts) {
+    out.points.push_back({0.0, state.multiplier});
+    out.none = std::to_string(out.parts) + " parts move; up to " + std::to_string(kMostParts) + " are followed";
+    return out;
+  }
+  const Chain chain(c, model, contacts, mechanism, live);
+  out.freedoms = chain.freedoms();
+  follow(out, chain, live, control);
+  return out;
+}
+
+}  // namespace voussoir::solver
