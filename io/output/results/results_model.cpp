@@ -3,12 +3,15 @@
 #include "io/output/results/results_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <limits>
 #include <optional>
 
 #include "cases/model.h"
+#include "cases/ties.h"
 #include "geometry/nth.h"
 #include "io/output/replay/cells.h"
 
@@ -199,11 +202,12 @@ void add_materials(const cases::Model& model, Datasets& out) {
 /// Adds separate ties, not those of meshes; nothing for a model without ties.
 void add_ties(const cases::Model& m, Datasets& out) {
   std::vector<std::string> names;
-  std::vector<double> ends;
+  std::vector<double> ends, strengths;
   std::vector<std::int32_t> elements;
   for (const cases::TieBar& bar : m.ties) {
     if (bar.mesh >= 0) break;
     names.push_back(bar.name);
+    strengths.push_back(std::isfinite(bar.yield) ? bar.yield : std::numeric_limits<double>::quiet_NaN());
     for (const auto& end : bar.ends) {
       Vec3 at;
       for (const cases::TieHold& h : end) at += h.share * h.point;
@@ -215,6 +219,20 @@ void add_ties(const cases::Model& m, Datasets& out) {
   out.push_back(texts("/model/tie", std::move(names), "names of the ties"));
   out.push_back(dataset("/model/tie_ends", ends, 6, "m", "where each tie begins and ends at the start: x, y, z of both ends"));
   out.push_back(dataset("/model/tie_element", elements, 2, "1", "what holds most of each end: an element, or -1, the base"));
+  out.push_back(dataset("/model/tie_strength", strengths, 1, "N", "force at which each tie yields; NaN: it is elastic"));
+}
+
+/// Adds the names of decks and meshes; nothing for a model without.
+void add_meshes(const cases::Model& m, Datasets& out) {
+  std::vector<std::string> names;
+  std::vector<std::int64_t> bars;
+  for (const cases::TieGroup& g : cases::tie_groups(m)) {
+    names.push_back(g.name);
+    bars.push_back(static_cast<std::int64_t>(g.last - g.first));
+  }
+  if (names.empty()) return;
+  out.push_back(texts("/model/mesh", std::move(names), "names of decks and meshes"));
+  out.push_back(dataset("/model/mesh_bars", bars, 1, "1", "number of the bars of each deck and mesh"));
 }
 
 }  // namespace
@@ -232,6 +250,7 @@ std::vector<StaticDataset> model_datasets(const cases::Model& model) {
   add_joints(model, out);
   add_materials(model, out);
   add_ties(model, out);
+  add_meshes(model, out);
   return out;
 }
 

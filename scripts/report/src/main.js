@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+import { CrackTable } from "./cracktable.js";
 import { CurvePlot } from "./curves.js";
 import { loadRun } from "./data.js";
 import { showLegend } from "./legend.js";
@@ -53,6 +54,7 @@ class Report {
     by("title").textContent = document.title = runs.map((run, i) => (runs.length > 1 ? `${"AB"[i]}: ` : "") + run.facts.title).join("  |  ");
     by("subtitle").textContent = runs.map((run) => subtitle(run) + (run.facts.model ? " · the model, before it moves" : "")).filter((text, i, all) => all.indexOf(text) === i).join("  |  ");
     showSummary(by("keys"), by("summary"), by("provenance").lastElementChild, runs);
+    this.crackTables = runs.map((run, i) => run.crackList?.cracks.length > 0 && new CrackTable(by("summary"), run.crackList, runs.length > 1 ? "AB"[i] : "", (t) => this.seek(t)));
     const titles = [...new Set(runs.flatMap((run) => run.facts.plots.map((p) => p.title)))];
     this.plots = titles.map((title) => {
       const plots = runs.map((run) => run.facts.plots.find((p) => p.title === title)), seek = (t) => this.seek(t);
@@ -164,7 +166,8 @@ class Report {
     }
     const camera = cameraNumbers(asked.get("camera"));
     if (by("camera").value === "free") by("camera").value = "corner";
-    this.seek(Number(asked.get("t") ?? this.times[0]));
+    this.seek(Number(asked.get("t") ?? (this.still_ ? null : this.run.facts.worst?.time) ?? this.times[0]));
+    this.opens = asked.has("t") ? -1 : this.at; // where nobody has gone to: Play begins at the beginning
     this.look(by("camera").value);
     this.opened = true;
     if (camera) this.house?.place(camera);
@@ -233,6 +236,7 @@ class Report {
     const read = !this.playing || !this.house?.software || ++this.unread >= kSeldom;
     if (read) this.unread = 0;
     for (const plot of this.plots) plot.now(t, read);
+    if (read) this.crackTables.forEach((table, i) => table && table.now(this.panes[i]?.house.at ?? this.at));
     this.#describe();
     this.#remember();
   }
@@ -326,7 +330,8 @@ class Report {
       if (this.recorder) this.record(false);
       return this.redraw();
     }
-    if (this.at >= this.last && this.mode === null) this.show(0);
+    if ((this.at >= this.last || this.at === this.opens) && this.mode === null) this.show(0);
+    this.opens = -1;
     let before = performance.now();
     const tick = (now) => {
       const seconds = ((now - before) / 1000) * Number(by("speed").value);
