@@ -18,6 +18,7 @@
 #include "io/output/replay/opened_faces.h"
 #include "io/output/replay/run_file.h"
 #include "io/output/report/damage/report_cracks.h"
+#include "io/output/report/damage/report_loads.h"
 #include "io/output/report/report_bodies.h"
 #include "io/output/report/report_facts.h"
 #include "io/output/report/report_frames.h"
@@ -119,6 +120,7 @@ std::string report_data(const std::string& run, const std::string& prefix, const
   if (const std::vector<std::int32_t> loops = polyhedron_loops(file); !loops.empty()) out.put("loops", loops);
   put_bodies(out, file, reader);
   put_cracks(out, file, reader);
+  if (const std::string loads = report_loads(file, reader); !loads.empty()) out.put("loads", std::vector<char>(loads.begin(), loads.end()));
   put_modes(out, file, reader, modes);
   out.put("turn-shifts", frames.shift);
   out.put("text/plain", "frames", frames.text);

@@ -29,8 +29,8 @@ class Rule:
 
 
 _E, _V, _F, _C, _J = "/model/element/mass", "/model/vertex", "/model/face/element", "/model/face/corners", "/model/joint/area"
-_M, _L, _CELLS, _FRAMES, _CRACKS, _TIES, _MESHES = ("/model/material/density", "/model/law/tension", "/model/cell_type", "/frames/time",
-                                                    "/cracks/time", "/model/tie", "/model/mesh")
+_M, _L, _CELLS, _FRAMES, _CRACKS, _TIES, _MESHES, _LOADS = ("/model/material/density", "/model/law/tension", "/model/cell_type", "/frames/time",
+                                                    "/cracks/time", "/model/tie", "/model/mesh", "/loads/element")
 
 # By name; that of a group, with "/" at its end, is of each dataset in it that has no rule of its own. The first that fits.
 _RULES = {
@@ -94,6 +94,14 @@ _RULES = {
     "/motion/factor": Rule(("1",)),
     "/motion/time": Rule(("/motion/time",), "time"),
     "/motion/": Rule(("/motion/time",)),
+    "/loads/load": Rule((_LOADS,), "index", "1000000000"),
+    "/loads/element": Rule((_LOADS,), "index", _E),
+    "/loads/point": Rule((_LOADS, "3")),
+    "/loads/follows": Rule((_LOADS,), "index", "2"),
+    "/loads/grows": Rule((_LOADS,), "index", "2"),
+    "/loads/first_row": Rule((_LOADS,), "start", "/loads/time"),
+    "/loads/time": Rule(("/loads/time",)),
+    "/loads/force": Rule(("/loads/time", "3")),
     "/measures/time": Rule(("/measures/time",), "time"),
     "/measures/damage_grade": Rule(("/measures/time",), "index", "6", -1),
     "/measures/": Rule(("/measures/time",), "any"),

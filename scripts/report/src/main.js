@@ -5,6 +5,7 @@ import { CurvePlot } from "./curves.js";
 import { loadRun } from "./data.js";
 import { showLegend } from "./legend.js";
 import { drawOverlay } from "./overlay.js";
+import { loadsAt } from "./loads.js";
 import { Pane } from "./pane.js";
 import { compose, kPaper, Recorder } from "./pictures.js";
 import { Plot } from "./plots.js";
@@ -19,7 +20,7 @@ function say(id, text) {
   if (by(id).textContent !== text) by(id).textContent = text;
 }
 const afterComma = (url) => url.slice(url.indexOf(",") + 1);
-const kNight = { text: "#e8e6e2", rim: "rgba(20, 20, 22, 0.85)", arrow: "#7db7ff", hinge: "#b9c4ff" };
+const kNight = { text: "#e8e6e2", rim: "rgba(20, 20, 22, 0.85)", arrow: "#7db7ff", hinge: "#b9c4ff", load: "#e5a8ff" };
 // While it plays where the processor draws: only every so many frames the clock, the slider and the lines in the plots go on, and every so many
 // times that values are read and the picture is written upon. What changes beside the house has to be painted, too.
 const kStepped = 3, kSeldom = 3;
@@ -251,7 +252,7 @@ class Report {
 
   #overlayOf(pane) {
     const t = this.time(), plan = pane.house.view === "plan";
-    return { names: by("names").checked && !plan, ground: this.mode === null ? pane.groundAt(t) : null, distances: plan, hinges: by("colour").value === "bodies" && this.mode === null ? pane.run.frames.bodies?.hinges(pane.house.at, (e, p) => pane.house.carried(e, p)) : null };
+    return { names: by("names").checked && !plan, loads: this.mode === null ? loadsAt(pane) : null, ground: this.mode === null ? pane.groundAt(t) : null, distances: plan, hinges: by("colour").value === "bodies" && this.mode === null ? pane.run.frames.bodies?.hinges(pane.house.at, (e, p) => pane.house.carried(e, p)) : null };
   }
 
   #overlay(pane) {

@@ -8,7 +8,7 @@ namespace {
 constexpr std::string_view kElements = "/model/element/mass", kVertices = "/model/vertex", kFaces = "/model/face/element",
                            kCorners = "/model/face/corners", kJoints = "/model/joint/area", kMaterials = "/model/material/density",
                            kLaws = "/model/law/tension", kCells = "/model/cell_type", kFrames = "/frames/time", kCracks = "/cracks/time",
-                           kWalls = "/summary/wall/name", kTies = "/model/tie", kMeshes = "/model/mesh", kTieGroups = "/summary/tie/name";
+                           kWalls = "/summary/wall/name", kTies = "/model/tie", kMeshes = "/model/mesh", kLoads = "/loads/element", kTieGroups = "/summary/tie/name";
 
 std::vector<ValueRule> rules_of_model() {
   using enum Values;
@@ -92,6 +92,14 @@ std::vector<ValueRule> rules_of_rows() {
           {"/motion/factor", {"1"}},
           {"/motion/time", {"/motion/time"}, time},
           {"/motion/", {"/motion/time"}},
+          {"/loads/load", {kLoads}, index, "1000000000"},
+          {"/loads/element", {kLoads}, index, kElements},
+          {"/loads/point", {kLoads, "3"}},
+          {"/loads/follows", {kLoads}, index, "2"},
+          {"/loads/grows", {kLoads}, index, "2"},
+          {"/loads/first_row", {kLoads}, start, "/loads/time"},
+          {"/loads/time", {"/loads/time"}},
+          {"/loads/force", {"/loads/time", "3"}},
           {"/measures/time", {"/measures/time"}, time},
           {"/measures/damage_grade", {"/measures/time"}, index, "6", -1},
           {"/measures/", {"/measures/time"}, any},
