@@ -335,4 +335,15 @@ std::size_t own_ties(const Model& model) noexcept {
   return static_cast<std::size_t>(std::ranges::count_if(model.ties, [](const TieBar& t) { return t.mesh < 0; }));
 }
 
+std::vector<TieGroup> tie_groups(const Model& model) {
+  std::vector<TieGroup> groups;
+  for (std::size_t i = own_ties(model); i < model.ties.size(); ++i) {
+    const TieBar& bar = model.ties[i];
+    if (groups.empty() || model.ties[i - 1].mesh != bar.mesh)
+      groups.push_back({bar.name.substr(0, bar.name.rfind(' ')), i, i});  // bars are numbered behind the name
+    groups.back().last = i + 1;
+  }
+  return groups;
+}
+
 }  // namespace voussoir::cases

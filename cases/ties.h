@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <vector>
 
 #include "cases/forward.h"
 #include "cases/model.h"
@@ -25,5 +27,14 @@ void place_ties(const Case& c, Model& model);
 
 /// Number of separate ties, which come first in model.ties; the remaining ties belong to meshes.
 std::size_t own_ties(const Model& model) noexcept;
+
+/// The bars of one deck or mesh: model.ties from `first` to before `last`.
+struct TieGroup {
+  std::string name;  // "floor 1 deck", "roof deck", or the name of the mesh
+  std::size_t first = 0, last = 0;
+};
+
+/// Decks and meshes of the model, in the order of their bars in model.ties.
+std::vector<TieGroup> tie_groups(const Model& model);
 
 }  // namespace voussoir::cases

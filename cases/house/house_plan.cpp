@@ -125,7 +125,9 @@ void choose_walls(const House& house, HousePlan& plan) {
     std::size_t side = 0;
     while (side < 4 && house.walls[i] != name(static_cast<Side>(side))) ++side;
     const std::string key = indexed_key("house.walls", i, "");
-    if (side == 4) throw InputError(key, quoted(house.walls[i]) + " is no wall; allowed: front, right, rear, left");
+    if (side == 4)
+      throw InputError(key, quoted(house.walls[i]) + " is no wall; " + did_you_mean(house.walls[i], {"front", "right", "rear", "left"}) +
+                                "allowed: front, right, rear, left");
     if (built[side]) throw InputError(key, quoted(house.walls[i]) + " is given twice");
     built[side] = true;
   }

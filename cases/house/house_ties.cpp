@@ -92,7 +92,9 @@ std::vector<Side> chosen_walls(const HousePlan& plan, const std::vector<std::str
   for (std::size_t i = 0; i < walls.size(); ++i) {
     const auto side = std::ranges::find_if(kSides, [&](Side s) { return walls[i] == name(s); });
     const std::string at = key + ".walls[" + std::to_string(i) + "]";
-    if (side == kSides.end()) throw InputError(at, quoted(walls[i]) + " is no wall; allowed: \"front\", \"right\", \"rear\", \"left\"");
+    if (side == kSides.end())
+      throw InputError(at, quoted(walls[i]) + " is no wall; " + did_you_mean(walls[i], {"front", "right", "rear", "left"}) +
+                               "allowed: \"front\", \"right\", \"rear\", \"left\"");
     if (!plan.wall(*side).built) throw InputError(at, quoted(walls[i]) + " is not built (house.walls)");
   }
   std::vector<Side> chosen;

@@ -54,6 +54,12 @@ void check_name(const Case& c, std::size_t i) {
   if (named == nullptr && !is_stone_or_group(c, load.block)) {
     std::vector<std::string> names;
     for (const BlockSpec& b : c.blocks) names.push_back(b.name);
+    for (const StonesSpec& spec : c.stones) {
+      for (const Stone& stone : spec.stones) {
+        names.push_back(stone_name(spec, stone.name));
+        for (const std::string& group : stone.groups) names.push_back(stone_name(spec, group));
+      }
+    }
     throw InputError(key, "there is no [[block]]" + std::string(c.stones.empty() ? "" : ", stone or group") + " named " +
                               quoted(load.block) + (names.empty() ? "" : "; " + did_you_mean(load.block, names)));
   }

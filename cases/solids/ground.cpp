@@ -56,12 +56,14 @@ Strip strip_of(const House& house, std::size_t index, const std::string& wall) {
   if (wall == "left") return {{0.0, n}, y, false};
   if (wall == "right") return {{x - n, x}, y, false};
   std::string allowed = "front, rear, left, right";
+  std::vector<std::string> names{"front", "rear", "left", "right"};
   for (const InnerWall& inner : house.inner_walls) {
     const bool along_x = inner.along == PlanAxis::x;
     if (inner.name == wall) return {{inner.at, inner.at + inner.thickness}, along_x ? x : y, along_x};
     allowed += ", " + inner.name;
+    names.push_back(inner.name);
   }
-  throw InputError(key_of(index, "wall"), quoted(wall) + " is no wall of the house; allowed: " + allowed);
+  throw InputError(key_of(index, "wall"), quoted(wall) + " is no wall of the house; " + did_you_mean(wall, names) + "allowed: " + allowed);
 }
 
 Rectangle under_wall(const House& house, std::size_t index, const BasePart& part) {

@@ -56,7 +56,9 @@ int main(int argc, char** argv) {
     io::suggest_option(program, {argv + 1, argv + argc});
     return io::kInputFault;
   } catch (const CLI::ParseError& e) {
-    return program.exit(e) == 0 ? io::kDone : io::kInputFault;
+    if (program.exit(e) == 0) return io::kDone;
+    io::suggest_value(e.what());
+    return io::kInputFault;
   } catch (const solver::NumericalError& e) {
     std::fprintf(stderr, "voussoir: numerical failure: %s\n", e.what());
     return io::kNumericalFailure;

@@ -7,6 +7,7 @@ Whatever is wrong with the file raises StudyError before anything runs; the mess
 """
 import collections
 import csv
+import difflib
 import hashlib
 import itertools
 import json
@@ -186,7 +187,8 @@ def read_study(path):
     document = read_document(path)
     for key in document:
         if key not in KEYS:
-            raise fault(path, key, document[key], "the keys " + ", ".join(KEYS))
+            near = difflib.get_close_matches(key, KEYS, 1)
+            raise fault(path, key, document[key], "the keys " + ", ".join(KEYS) + (f"; did you mean {near[0]}?" if near else ""))
     study = {}
     for key, (default, test, allowed) in VALUES.items():
         study[key] = document.get(key, default)

@@ -26,6 +26,13 @@ struct TieSample {
   bool broken = false;
 };
 
+/// The bars of a deck or a mesh together: each figure is that of the bar in which it is largest in magnitude.
+struct TieGroupSample {
+  double force = 0.0, elongation = 0.0;  // N, m; tension is positive
+  double utilisation = 0.0;              // magnitude of the force over the yield force; NaN: all bars are elastic
+  std::int64_t yielded = 0, broken = 0;  // bars that have yielded (and are not broken), bars that have broken
+};
+
 /// The energy ledger [J]: stores (strain: of bonds and ties), work put in, losses since time zero (or since the start while settling),
 /// residual as a ratio.
 struct EnergyRow {
@@ -135,6 +142,8 @@ class Recorder {
   virtual void history(double time, std::span<const HistorySample> samples) = 0;
   /// One sample per tie outside meshes, in order, before history() of the same time; not called without such ties.
   virtual void ties(double /*time*/, std::span<const TieSample> /*samples*/) {}
+  /// Decks and meshes, in the order of cases::tie_groups; before the history of the same time. Only of a model that has some.
+  virtual void tie_groups(double /*time*/, std::span<const TieGroupSample> /*samples*/) {}
   virtual void energy(const EnergyRow& row) = 0;
   virtual void forces(const ForcesRow& row) = 0;
   /// One sample per Output::cuts entry, in order; not called without cuts.

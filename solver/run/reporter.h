@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -13,10 +14,28 @@
 /// What a run tells its Recorder.
 namespace voussoir::solver {
 
+/// The largest figures of the bars from `first` to before `last`.
+inline TieGroupSample sample_of(const Ties& ties, std::size_t first, std::size_t last) noexcept {
+  const auto larger = [](double kept, double value) { return std::abs(value) > std::abs(kept) ? value : kept; };
+  TieGroupSample sample;
+  bool elastic = true;
+  for (std::size_t i = first; i < last; ++i) {
+    const kernels::TieState& s = ties.state[i];
+    const double yield = ties.tie[i].law.yield;
+    sample.force = larger(sample.force, s.force), sample.elongation = larger(sample.elongation, s.elongation);
+    if (std::isfinite(yield)) elastic = false, sample.utilisation = std::max(sample.utilisation, std::abs(s.force) / yield);
+    sample.broken += s.broken;
+    sample.yielded += s.broken == 0 && s.plastic != 0.0 ? 1 : 0;
+  }
+  if (elastic) sample.utilisation = std::numeric_limits<double>::quiet_NaN();
+  return sample;
+}
+
 /// Keeps the buffers and the running figures of one run.
 class Reporter {
  public:
-  Reporter(Simulation& sim, RunState& state, Recorder& out) : sim_(sim), state_(state), out_(out) {}
+  Reporter(Simulation& sim, RunState& state, Recorder& out)
+      : sim_(sim), state_(state), out_(out), groups_(cases::tie_groups(sim.world().model)) {}
 
   void frame() { take_frame(), tell_frame(); }
   /// Copies poses, to be told of later if they turn out to be a state of rest.
@@ -40,6 +59,7 @@ class Reporter {
 
   void samples(double time) {
     ties(time);
+    tie_groups(time);
     out_.history(time, sim_.history());
     const ForcesRow& f = sim_.forces();
     state_.peak_base_shear = std::max(state_.peak_base_shear, std::hypot(f.base_shear.x, f.base_shear.y));
@@ -73,10 +93,20 @@ class Reporter {
     out_.ties(time, ties_);
   }
 
+  void tie_groups(double time) {
+    if (groups_.empty()) return;
+    group_samples_.clear();
+    const Ties& ties = sim_.world().ties;
+    for (const cases::TieGroup& g : groups_) group_samples_.push_back(sample_of(ties, g.first, g.last));
+    out_.tie_groups(time, group_samples_);
+  }
+
   Simulation& sim_;
   RunState& state_;
   Recorder& out_;
+  std::vector<cases::TieGroup> groups_;
   std::vector<TieSample> ties_;
+  std::vector<TieGroupSample> group_samples_;
   std::vector<CrackRow> cracks_;
   double frame_time_ = 0.0;  // s
   std::vector<float> displacement_, quaternion_, broken_;

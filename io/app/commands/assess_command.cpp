@@ -69,7 +69,7 @@ void write_maps(const Hdf5File& run, const cases::Case& c, const Building& build
   for (std::size_t w = 0; w < building.walls.size(); ++w) {
     const std::string file = o.maps + "/" + map_name(building.walls[w].name, a.time, taken);
     write_output({file, FileKind::drawing, "--maps", o.overwrite},
-                 crack_map(run, c.title, building, static_cast<std::int32_t>(w), a.time, a.joints, a.fallen));
+                 crack_map(run, c.title, building, static_cast<std::int32_t>(w), a.time, a.joints, a.fallen, a.cracks));
     std::fprintf(stderr, "voussoir: %s\n", file.c_str());
   }
 }
@@ -116,7 +116,7 @@ Command add_assess(CLI::App& program) {
   auto o = std::make_shared<AssessOptions>();
   words->add_option("DIR", o->folder, "folder of the run, finished or not")->required();
   words->add_option("--time", o->time, "s, of cracks: the frame nearest to it (default: the last)")->check(number_range(-1e9, 1e9));
-  words->add_option("--levels", o->levels, "heights of storeys above the base, m: Z,Z,... (default: foot and top of the walls)")
+  words->add_option("--levels", o->levels, "heights of storeys above the base, m: Z,Z,... (default: those of the house)")
       ->delimiter(',')
       ->check(number_range(-1e7, 1e7));
   words->add_option("--maps", o->maps, "write a crack map of every wall into this folder, as SVG");

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -158,6 +160,7 @@ int resume(const ResumeOptions& o) {
   keep.cuts = cut_names(r->value);
   keep.earlier = {.until = std::nextafter(r->facts.time, -INFINITY), .rows = r->facts.rows};
   keep.motion = motion_datasets(r->value, r->facts.motion, r->sim->dt(), r->sim->cycle());
+  std::ranges::move(load_datasets(r->value, r->sim->world().model), std::back_inserter(keep.motion));
   ResultsWriter results(folder.path(), r->model, resolved, history_names(r->value), provenance(r->sim->threads()), keep);
   folder.write_case(resolved);  // after the results are known to be intact
   Checkpoints checkpoints(folder.path(), facts_of(*r->sim, resolved, r->facts.motion, r->facts.reference_kernels), o.checkpoints, r->path);

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -71,6 +73,7 @@ int run(const LoadedCase& c, const RunOptions& o) {
   const std::string resolved = resolved_toml(used);
   ResultsOptions kept;
   kept.motion = motion_datasets(c.value, motion, sim.dt(), sim.cycle());
+  std::ranges::move(load_datasets(c.value, sim.world().model), std::back_inserter(kept.motion));
   kept.cuts = cut_names(c.value);
   std::optional<ResultsWriter> results;
   try {

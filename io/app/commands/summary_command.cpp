@@ -21,6 +21,7 @@
 #include "io/output/measures/capacity/capacity_file.h"
 #include "io/output/measures/chance.h"
 #include "io/output/measures/measures_file.h"
+#include "io/output/measures/members/member_words.h"
 #include "io/output/measures/place_in_run.h"
 #include "io/output/replay/run_file.h"
 #include "io/output/replay/run_state.h"
@@ -96,6 +97,15 @@ std::string counts(const Json& s, const std::string& prefix) {
   for (const char* mode : {"tension", "shear", "compression"})
     value += (value.empty() ? "" : ", ") + std::to_string(s[prefix + mode].get<std::int64_t>()) + " in " + mode;
   return value;
+}
+
+/// Prints the slip of beams and rafters on the walls that bear them.
+void print_seats(const Measures& m) {
+  if (std::isnan(m.peak_seat_slip)) return;
+  const std::string where = m.peak_seat_slip_place.empty() ? "" : ": " + m.peak_seat_slip_place + ", at " + seconds(m.peak_seat_slip_time);
+  line_of_chance(m, "slip of beams",
+                 millimetres(m.peak_seat_slip) + " at most" + where + "; " + text("%.3f mm", 1e3 * m.seat_slip) + " at the end" +
+                     (m.lost_seats > 0 ? "; " + std::to_string(m.lost_seats) + " lost their seat" : ""));
 }
 
 /// Prints the overlap of bodies.
@@ -176,6 +186,9 @@ void print_table(const Json& s, const Measures& m) {
                  percent(m.free_volume) + " of " + text("%.2f m3", m.initial_free_volume) + ", least " + percent(m.least_free_volume));
   line_of_chance(m, "out-of-plane drift", percent(m.peak_drift) + " at most, " + percent(m.residual_drift) + " at the end");
   line_of_chance(m, "in-plane drift", percent(m.peak_in_plane_drift) + " at most");
+  if (!m.peak_storey_drift_wall.empty())
+    line_of_chance(m, "storey drift", text("%.2f %%", 100 * m.peak_storey_drift) + " at most, along the " + m.peak_storey_drift_wall);
+  print_seats(m);
   print_penetration(m);
   print_modes(s);
   if (s.contains("peak_base_shear")) line_of_chance(m, "peak base shear", text("%.1f kN", 1e-3 * s["peak_base_shear"].get<double>()));
@@ -184,6 +197,7 @@ void print_table(const Json& s, const Measures& m) {
     line_of_chance(m, "peak acceleration", text("%.2f m/s2", p.peak_horizontal) + " at " + p.name + ", horizontal, below 50 Hz");
   if (s.contains("state_hash")) line("state hash", s["state_hash"]);
   print_walls(m);
+  std::fputs((storeys_text(m) + ties_text(m)).c_str(), stdout);
   if (has_chance(m)) std::printf("\n* %s\n", words_of_chance(m).c_str());
 }
 

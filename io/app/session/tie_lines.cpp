@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <span>
+#include <string>
 
 #include "cases/model.h"
 #include "cases/ties.h"
@@ -18,6 +20,14 @@ constexpr std::size_t kMostLines = 10;  // single ties that are printed: a mesh 
 
 void print_rest(std::size_t all) {
   if (all > kMostLines) std::printf("%20s ... and %zu more\n", "", all - kMostLines);
+}
+
+/// "ties 4: none has yielded, 1 is broken" of the bars from `first` to before `last`.
+void print_counts(const std::string& name, const solver::Ties& ties, std::size_t first, std::size_t last) {
+  const std::span states = std::span(ties.state).subspan(first, last - first);
+  const auto broken = std::ranges::count_if(states, [](const kernels::TieState& s) { return s.broken != 0; });
+  const auto yielded = std::ranges::count_if(states, [](const kernels::TieState& s) { return s.broken == 0 && s.plastic != 0.0; });
+  std::printf("%-20s %zu: %td have yielded, %td are broken\n", name.c_str(), states.size(), yielded, broken);
 }
 
 }  // namespace
@@ -61,10 +71,8 @@ void print_bounded_ties(const solver::Ties& ties, const cases::Model& model) {
 
 void print_tie_outcome(const solver::Ties& ties, const cases::Model& model) {
   if (ties.state.empty()) return;
-  const auto broken = std::ranges::count_if(ties.state, [](const kernels::TieState& s) { return s.broken != 0; });
-  const auto yielded = std::ranges::count_if(ties.state, [](const kernels::TieState& s) { return s.broken == 0 && s.plastic != 0.0; });
-  std::printf("ties                 %zu: %td have yielded, %td are broken\n", ties.state.size(), yielded, broken);
   const std::size_t own = cases::own_ties(model);
+  if (own > 0) print_counts("ties", ties, 0, own);
   for (std::size_t i = 0; i < std::min(own, kMostLines); ++i) {
     const kernels::TieState& s = ties.state[i];
     std::printf("%20s %s: %s", "", model.ties[i].name.c_str(), s.broken != 0 ? "broken" : "");
@@ -72,6 +80,7 @@ void print_tie_outcome(const solver::Ties& ties, const cases::Model& model) {
     std::printf("\n");
   }
   print_rest(own);
+  for (const cases::TieGroup& g : cases::tie_groups(model)) print_counts(g.name, ties, g.first, g.last);
 }
 
 }  // namespace voussoir::io

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "cases/names.h"
+#include "io/input/case_file/built_in_cases.h"
 #include "io/input/case_file/case_paths.h"
 #include "io/input/case_file/catalogue.h"
 #include "io/input/document/case_values.h"
@@ -25,6 +26,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kLargest = 16U << 20U;  // bytes
 constexpr std::size_t kMostFiles = 64;
+constexpr std::size_t kMostNames = 1000;  // of files among which a similar one is looked for
 
 CaseText read_file(const std::string& path) {
   std::error_code error;
@@ -124,6 +126,22 @@ class Reader {
     return built_in_part(name.ends_with(".toml") ? name : name + ".toml");
   }
 
+  /// The file beside one that is missing, or the ready part, whose name is most similar; empty: none.
+  static std::string near_part(const CaseText& from, const std::string& name) {
+    const fs::path folder = (fs::path(from.folder) / name).lexically_normal().parent_path();
+    const std::string before = name.substr(0, name.rfind('/') + 1);
+    std::vector<std::string> names;
+    std::error_code none;
+    for (const fs::directory_entry& file : fs::directory_iterator(folder, none)) {
+      if (names.size() >= kMostNames) break;
+      if (file.path().extension() == ".toml") names.push_back(before + file.path().filename().string());
+    }
+    std::ranges::sort(names);
+    for (const BuiltInCase& c : built_in_cases())
+      if (c.name.starts_with("parts/")) names.emplace_back(name.ends_with(".toml") ? c.name : c.name.substr(0, c.name.rfind(".toml")));
+    return cases::nearest(name, names);
+  }
+
   static CaseText find(const CaseText& from, const std::string& name, const std::string& where) {
     if (from.built_in) {
       if (const auto part = built_in_part(name)) return text_of(*part);
@@ -133,7 +151,8 @@ class Reader {
       try {
         return read_file((fs::path(from.folder) / name).lexically_normal().string());
       } catch (const FileError& e) {
-        throw FileError(where, e.what());
+        const std::string near = near_part(from, name);
+        throw FileError(where, e.what() + (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
       }
     }
     try {

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "cases/case.h"
 #include "cases/names.h"
@@ -49,6 +51,8 @@ std::array<cases::Accelerogram, 3> read_files(const Files& files, const std::arr
   return components;
 }
 
+constexpr std::size_t kMostNames = 1000;  // of files among which a similar one is looked for
+
 Record named_record(const cases::Motion& m, const std::string& case_folder) {
   if (is_built_in_record(*m.record)) return built_in_record(*m.record, "motion.record");
   const std::string folder = path_from(case_folder, *m.record);
@@ -59,8 +63,13 @@ Record named_record(const cases::Motion& m, const std::string& case_folder) {
   } catch (const FileError& e) {
     throw NamedFileError(e, "motion.record");
   }
+  std::vector<std::string> names{"bam-like"};
+  const std::string before = m.record->substr(0, m.record->rfind('/') + 1);
+  for (const fs::directory_entry& file : fs::directory_iterator(fs::path(folder).parent_path(), error))
+    if (names.size() < kMostNames) names.push_back(before + file.path().filename().string());
+  std::ranges::sort(names);
   throw cases::InputError("motion.record", "\"" + *m.record + "\" is neither a record of the program nor a folder or file (" + folder +
-                                               "); allowed: " + built_in_records() +
+                                               "); " + cases::did_you_mean(*m.record, names) + "allowed: " + built_in_records() +
                                                ", a folder that holds record.toml, or a file that holds L, T and V");
 }
 

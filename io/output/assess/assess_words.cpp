@@ -17,6 +17,8 @@ using Json = nlohmann::ordered_json;
 
 using geometry::printed;
 
+constexpr std::size_t kShownCracks = 20;
+
 std::string percent(double x) { return std::isnan(x) ? "-" : printed("%.2f %%", 100.0 * x); }
 std::string mm(double x) { return printed("%.2f", 1e3 * x); }
 
@@ -55,11 +57,29 @@ void put_walls(std::string& out, const Assessment& a) {
                    percent(w.out_of_plane.value).c_str(), w.out_of_plane.time);
 }
 
+/// Cracks of the walls, the widest first, each with its number on the maps.
+void put_crack_list(std::string& out, const Assessment& a) {
+  if (a.cracks.empty()) return;
+  std::size_t width = 20;
+  for (const WallAssessment& w : a.walls) width = std::max(width, w.name.size());
+  const int wide = static_cast<int>(width);
+  out += printed("\n%3s  %-*s %9s %9s %9s %9s %9s  %s\n", "no.", wide, "cracks, widest first", "length", "now [mm]", "most", "at", "at end",
+                 "from the left, up");
+  for (std::size_t i = 0; i < std::min(a.cracks.size(), kShownCracks); ++i) {
+    const Crack& c = a.cracks[i];
+    const std::string place = printed("%.2f-%.2f m, %.2f-%.2f m", c.along[0], c.along[1], c.z[0], c.z[1]);
+    out += printed("%3zu  %-*s %7.2f m %9s %9s %7.2f s %9s  %s\n", i + 1, wide, nth(a.walls, c.wall).name.c_str(), c.length,
+                   mm(c.width).c_str(), mm(c.peak).c_str(), c.peak_time, mm(c.at_end).c_str(), place.c_str());
+  }
+  if (a.cracks.size() > kShownCracks) out += printed("     and %zu more, all in --format json\n", a.cracks.size() - kShownCracks);
+}
+
 void put_storeys(std::string& out, const Assessment& a) {
   if (a.storeys.empty()) return;
-  out += printed("\n%-44s %10s %10s %10s %10s\n", "storey drift", "x, now", "y, now", "x, peak", "y, peak");
+  const bool several = a.storeys.front().house != a.storeys.back().house;
+  out += printed("\n%-44s %10s %10s %10s %10s\n", "storey drift, all walls together", "x, now", "y, now", "x, peak", "y, peak");
   for (const StoreyDrift& s : a.storeys) {
-    const std::string name = printed("house %d, %.2f to %.2f m", s.house, s.low, s.high);
+    const std::string name = (several ? printed("house %d, ", s.house) : "") + printed("%.2f to %.2f m", s.low, s.high);
     out += printed("%-44s %10s %10s %10s %10s\n", name.c_str(), percent(s.now[0]).c_str(), percent(s.now[1]).c_str(),
                    percent(s.peak[0].value).c_str(), percent(s.peak[1].value).c_str());
   }
@@ -90,6 +110,7 @@ std::string assessment_text(const Assessment& a, const std::vector<FloorAccelera
   out += printed("base shear               %.1f kN at most, at %.2f s: %.3f of the weight\n", 1e-3 * a.base_shear.value, a.base_shear.time,
                  a.base_shear_over_weight);
   put_walls(out, a);
+  put_crack_list(out, a);
   put_storeys(out, a);
   put_cuts(out, a);
   if (points.empty()) return out;
@@ -104,7 +125,7 @@ std::string assessment_json(const Assessment& a, const std::vector<FloorAccelera
                             const std::optional<Capacity>& capacity) {
   Json out{
       {"time", a.time}, {"weight", a.weight}, {"base_shear", json_of(a.base_shear)}, {"base_shear_over_weight", a.base_shear_over_weight}};
-  for (const char* list : {"walls", "corners", "storeys", "cuts", "points"}) out[list] = Json::array();
+  for (const char* list : {"walls", "corners", "cracks", "storeys", "cuts", "points"}) out[list] = Json::array();
   for (const WallAssessment& w : a.walls)
     out["walls"].push_back({{"name", w.name},
                             {"thickness", w.thickness},
@@ -116,6 +137,16 @@ std::string assessment_json(const Assessment& a, const std::vector<FloorAccelera
   for (const auto& [c, f] : a.corners)
     out["corners"].push_back(
         {{"wall", nth(a.walls, c.wall).name}, {"name", c.name}, {"along", c.along}, {"z", c.z}, {"cracks", json_of(f)}});
+  for (const Crack& c : a.cracks)
+    out["cracks"].push_back({{"wall", nth(a.walls, c.wall).name},
+                             {"length", c.length},
+                             {"width", c.width},
+                             {"peak", c.peak},
+                             {"peak_time", c.peak_time},
+                             {"at_end", c.at_end},
+                             {"along", c.along},
+                             {"z", c.z},
+                             {"joints", c.joints.size()}});
   for (const StoreyDrift& s : a.storeys)
     out["storeys"].push_back({{"house", s.house},
                               {"low", s.low},

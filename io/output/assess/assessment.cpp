@@ -18,9 +18,10 @@ namespace voussoir::io {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kPiece = 0.5;       // m, size of a piece along a wall and upwards
-constexpr double kSameLevel = 1e-3;  // m
-constexpr double kSameTime = 1e-3;   // s
+constexpr double kPiece = 0.5;         // m, size of a piece along a wall and upwards
+constexpr double kSameLevel = 1e-3;    // m
+constexpr double kSameTime = 1e-3;     // s
+constexpr double kLeastStorey = 0.25;  // m: feet and tops of walls that are nearer belong to one level
 
 constexpr double kGone = 1.0;  // m: an element displaced by more no longer belongs to its wall
 
@@ -80,7 +81,11 @@ std::vector<Level> levels_of(const Building& b, std::int32_t house, std::vector<
   for (const Wall& w : b.walls)
     if (w.house == house) box.include(w.box);
   if (heights.empty()) {
-    heights = {box.low[2], box.high[2]};
+    for (const Wall& w : b.walls)
+      if (w.house == house)
+        for (const double h : {w.box.low[2], w.box.high[2]})
+          if (std::ranges::none_of(heights, [&](double other) { return std::abs(h - other) < kLeastStorey; })) heights.push_back(h);
+    std::ranges::sort(heights);
   } else {
     for (double& h : heights) h += b.base;
     std::ranges::sort(heights);
@@ -175,6 +180,8 @@ class Assessor {
     for (std::size_t f = 0; f < times.size(); ++f) take(times[f], poses_of(frames_, f), f == now);
     out_.time = times[now];
     out_.joints = joint_widths(run, building_, start_, out_.time, poses_of(frames_, now));
+    out_.cracks = cracks_of(run, building_, out_.joints, out_.fallen);
+    follow(run, frames_, out_.cracks);
     for (std::size_t w = 0; w < out_.walls.size(); ++w) {
       out_.walls[w].cracks = wall_figures(out_.joints, static_cast<std::int32_t>(w));
       out_.walls[w].parted = parted_joints(out_.joints, static_cast<std::int32_t>(w));

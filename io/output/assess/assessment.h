@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cases/forward.h"
+#include "io/output/assess/crack_list.h"
 #include "io/output/assess/wall_cracks.h"
 
 /// Engineering figures of a run, computed from its results; definitions in io/MEASURES.md.
@@ -62,11 +63,12 @@ struct Assessment {
   // At the assessed frame, for crack maps.
   std::vector<JointWidth> joints;
   std::vector<std::uint8_t> fallen;
+  std::vector<Crack> cracks;  // the widest first
 };
 
 /// Assesses a run at one frame.
 /// \param c  the case of the run \param time  of the frame, nearest one taken [s]; none: the last frame
-/// \param levels  heights of storeys above the base [m]; none: the walls' foot and top
+/// \param levels  heights of storeys above the base [m]; none: feet and tops of the walls of each storey
 /// \throw FileError
 Assessment assess(const Hdf5File& run, const cases::Case& c, const Building& building, std::optional<double> time,
                   const std::vector<double>& levels);

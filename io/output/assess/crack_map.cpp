@@ -44,7 +44,7 @@ class Map {
   }
 
   std::string draw(const Hdf5File& run, const std::string& title, double time, const std::vector<JointWidth>& joints,
-                   const std::vector<std::uint8_t>& fallen) {
+                   const std::vector<std::uint8_t>& fallen, const std::vector<Crack>& cracks) {
     const double wide = scale_ * extent_.size(axis_), high = scale_ * extent_.size(2);
     left_ = std::max(kMargin, 0.5 * (kLeastSheet - wide));
     Svg svg(std::max(wide + 2.0 * kMargin, kLeastSheet), kHead + high + kFoot);
@@ -53,6 +53,7 @@ class Map {
     const double ground = kHead + high;
     svg.line({left_ - 12.0, ground}, {left_ + wide + 12.0, ground}, "#222", 1.6);
     const double widest = draw_cracks(svg, run, joints);
+    write_widths(svg, cracks);
     svg.text({kMargin, 46.0}, "cracks at " + geometry::printed("%.3f s", time) + ", seen from outside" + widths(joints, widest), 13.0);
     draw_legend(svg, ground + 30.0);
     draw_scale_bar(svg, {left_ + wide, ground + 74.0});
@@ -73,7 +74,8 @@ class Map {
       const Box& b = building_.box[e];
       const double outer = wall_.outward > 0 ? b.high[wall_.across] : b.low[wall_.across];
       const bool touches = b.low[axis_] < wall_.box.high[axis_] + kOnFace && b.high[axis_] > wall_.box.low[axis_] - kOnFace;
-      const bool of_wall = building_.wall[e] == number_, shows = of_wall || (touches && building_.wall[e] >= 0);
+      const bool beside = touches && b.centre(2) > extent_.low[2] && b.centre(2) < extent_.high[2];
+      const bool of_wall = building_.wall[e] == number_, shows = of_wall || (beside && building_.wall[e] >= 0);
       if (!shows || std::abs(outer - face_) > kOnFace) continue;
       const bool timber = building_.kind[e] == cases::PartKind::lintel;
       const std::array<Point2, 4> corners{at(b.low[axis_], b.low[2]), at(b.high[axis_], b.low[2]), at(b.high[axis_], b.high[2]),
@@ -112,18 +114,20 @@ class Map {
       }
       if (any && is_crack_of(here[i], number_)) drawn.push_back(here[i]);
     }
-    write_widths(svg, drawn);
     return drawn.empty() ? 0.0 : drawn.back().width;
   }
 
-  /// Labels the widest cracks, at least kApart from each other.
-  void write_widths(Svg& svg, const std::vector<JointWidth>& drawn) const {
+  /// Labels the widest cracks of the wall, at least kApart from each other: "3: 4.2", the number in the table and the width in mm.
+  void write_widths(Svg& svg, const std::vector<Crack>& cracks) const {
     std::vector<Vec3> taken;
-    for (auto j = drawn.rbegin(); j != drawn.rend() && taken.size() < kLabels; ++j) {
-      if (std::ranges::any_of(taken, [&](Vec3 t) { return std::hypot(along(t) - along(j->centre), t.z - j->centre.z) < kApart; })) continue;
-      taken.push_back(j->centre);
-      const Point2 p = at(along(j->centre), j->centre.z);
-      svg.text({p.s + 5.0, p.t - 5.0}, geometry::printed(j->width < 10e-3 ? "%.2g" : "%.0f", 1e3 * j->width), 12.0, "start", "#111");
+    for (std::size_t i = 0; i < cracks.size() && taken.size() < kLabels; ++i) {
+      const Crack& c = cracks[i];
+      if (c.wall != number_) continue;
+      if (std::ranges::any_of(taken, [&](Vec3 t) { return std::hypot(along(t) - along(c.widest), t.z - c.widest.z) < kApart; })) continue;
+      taken.push_back(c.widest);
+      const Point2 p = at(along(c.widest), c.widest.z);
+      const std::string width = geometry::printed(c.width < 10e-3 ? "%.2g" : "%.0f", 1e3 * c.width);
+      svg.text({p.s + 5.0, p.t - 5.0}, std::to_string(i + 1) + ": " + width, 12.0, "start", "#111");
     }
   }
 
@@ -136,9 +140,11 @@ class Map {
       svg.text({x + 30.0, top + 15.0}, geometry::printed("%.1f m", length_[k]), 11.0, "start", "#666");
       x += 122.0;
     }
-    svg.text({kMargin, top + 44.0},
-             "width: opening and sliding together; numbers in mm; lengths as drawn; grey: fallen; slip of timber is left out", 11.0,
-             "start", "#444");
+    svg.text(
+        {kMargin, top + 44.0},
+        "width: opening and sliding together; written: number of the crack in the table, its width in mm; grey: fallen; slip of timber "
+        "is left out",
+        11.0, "start", "#444");
   }
 
   void draw_scale_bar(Svg& svg, Point2 end) const {
@@ -161,8 +167,8 @@ class Map {
 }  // namespace
 
 std::string crack_map(const Hdf5File& run, const std::string& title, const Building& building, std::int32_t wall, double time,
-                      const std::vector<JointWidth>& joints, const std::vector<std::uint8_t>& fallen) {
-  return Map(building, wall).draw(run, title, time, joints, fallen);
+                      const std::vector<JointWidth>& joints, const std::vector<std::uint8_t>& fallen, const std::vector<Crack>& cracks) {
+  return Map(building, wall).draw(run, title, time, joints, fallen, cracks);
 }
 
 }  // namespace voussoir::io

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/output/assess/crack_list.h"
 #include "io/output/assess/wall_cracks.h"
 
 /// The crack map of a wall: its elevation from outside, cracks by width, a legend and a scale bar, as SVG.
@@ -27,8 +28,9 @@ inline constexpr std::array<CrackClass, 6> kCrackClasses{{{0.0, "under 0.1 mm", 
 
 /// The crack map of wall `wall` as an SVG document.
 /// \param joints  of the whole run at this time (joint_widths) \param fallen  by element, 1: fallen
+/// \param cracks  of the whole run then (cracks_of), of which the widest of this wall have their numbers, counted from 1
 /// \throw FileError
 std::string crack_map(const Hdf5File& run, const std::string& title, const Building& building, std::int32_t wall, double time,
-                      const std::vector<JointWidth>& joints, const std::vector<std::uint8_t>& fallen);
+                      const std::vector<JointWidth>& joints, const std::vector<std::uint8_t>& fallen, const std::vector<Crack>& cracks);
 
 }  // namespace voussoir::io

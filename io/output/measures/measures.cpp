@@ -13,6 +13,7 @@
 #include "io/output/measures/crack_extents.h"
 #include "io/output/measures/damage_grade.h"
 #include "io/output/measures/debris/free_volume.h"
+#include "io/output/measures/members/seat_slip.h"
 #include "io/output/measures/penetration.h"
 #include "io/output/measures/wall_drift.h"
 #include "io/output/replay/frame_reader.h"
@@ -49,10 +50,22 @@ class Measurer {
         volume_(building_, shapes_, start_),
         penetration_(run, building_, start_),
         tags_(run.read_strings("/model/element/tag")),
+        seats_(run, building_, tags_, start_),
         fallen_(frames_.elements()),
         walls_(building_.walls.size()) {
     for (const Wall& w : building_.walls)
-      m_.walls.push_back({.name = w.name, .peak_drift = kNone, .residual_drift = kNone, .peak_in_plane_drift = kNone});
+      m_.walls.push_back({.name = w.name,
+                          .peak_drift = kNone,
+                          .residual_drift = kNone,
+                          .peak_in_plane_drift = kNone,
+                          .storey = static_cast<double>(w.storey),
+                          .foot = w.box.low[2] - building_.base,
+                          .top = w.box.high[2] - building_.base,
+                          .peak_storey_drift = kNone,
+                          .residual_storey_drift = kNone,
+                          .peak_seat_slip = kNone,
+                          .seat_slip = kNone});
+    m_.peak_seat_slip = m_.seat_slip = seats_.seats().empty() ? kNone : 0.0;
     for (std::size_t e = 0; e < building_.mass.size(); ++e) {
       all_.mass += building_.mass[e];
       if (Part* part = part_of(e)) part->mass += building_.mass[e];
@@ -94,12 +107,36 @@ class Measurer {
     take_fallen(time, poses);
     BuildingDamage damage{{}, roof_.share(), all_.share(), m_.collapsed};
     const std::vector<CrackExtent> cracks = cracks_.extents(time, poses);
-    for (std::size_t w = 0; w < walls_.size(); ++w) damage.walls.push_back(damage_of(w, cracks[w], poses));
+    for (std::size_t w = 0; w < walls_.size(); ++w) damage.walls.push_back(damage_of(time, w, cracks[w], poses));
     m_.series.time.push_back(time);
     m_.series.damage_grade.push_back(damage.walls.empty() ? -1 : damage_grade(damage));
     m_.series.fallen_mass_fraction.push_back(all_.share());
     m_.series.free_volume.push_back(volume_.initial() > 0 ? volume_.at(poses) / volume_.initial() : kNone);
+    take_seats(time, poses);
     take_penetration(time, poses);
+  }
+
+  /// Stores the slip of beams and rafters on the walls, while less than half of their seat is gone.
+  void take_seats(double time, const std::vector<Pose>& poses) {
+    const std::vector<SeatSlip::Slip> slips = seats_.at(poses, fallen_);
+    m_.lost_seats = 0, m_.seat_slip = kNone;
+    for (WallMeasures& w : m_.walls) w.seat_slip = kNone;
+    for (std::size_t i = 0; i < slips.size(); ++i) {
+      const Seat& seat = seats_.seats()[i];
+      WallMeasures* wall = seat.wall < 0 ? nullptr : &nth(m_.walls, seat.wall);
+      if (wall != nullptr && std::isnan(wall->peak_seat_slip)) wall->peak_seat_slip = 0.0;
+      if (slips[i].lost) {  // its last slip stays the largest
+        ++m_.lost_seats;
+        continue;
+      }
+      const double slip = slips[i].metres;
+      keep_larger(m_.seat_slip, slip);
+      if (wall != nullptr) keep_larger(wall->seat_slip, slip), keep_larger(wall->peak_seat_slip, slip);
+      if (slip <= m_.peak_seat_slip) continue;
+      m_.peak_seat_slip = slip, m_.peak_seat_slip_time = time;
+      m_.peak_seat_slip_place = seat.timber + " on the " + (wall != nullptr ? wall->name : "ring beam");
+    }
+    m_.series.seat_slip.push_back(m_.seat_slip);
   }
 
   void take_fallen(double time, const std::vector<Pose>& poses) {
@@ -124,7 +161,7 @@ class Measurer {
   }
 
   /// Damage of one wall in this frame; stores its drift and cracks.
-  WallDamage damage_of(std::size_t w, const CrackExtent& cracks, const std::vector<Pose>& poses) {
+  WallDamage damage_of(double time, std::size_t w, const CrackExtent& cracks, const std::vector<Pose>& poses) {
     const Wall& wall = building_.walls[w];
     WallMeasures& measures = m_.walls[w];
     const std::optional<double> drift = wall_drift(wall, start_, poses, fallen_);
@@ -132,7 +169,12 @@ class Measurer {
     if (m_.series.time.empty()) measures.settling_crack_extent = cracks.fine;
     measures.residual_drift = drift.value_or(kNone);
     m_.series.drift.push_back(measures.residual_drift);
-    if (drift) keep_larger(measures.peak_drift, *drift);
+    if (drift && !(std::abs(*drift) <= std::abs(measures.peak_drift))) measures.peak_drift = *drift, measures.peak_drift_time = time;
+    const double storey = storey_drift(wall, start_, poses, fallen_).value_or(kNone);
+    measures.residual_storey_drift = storey;
+    m_.series.storey_drift.push_back(storey);
+    if (!std::isnan(storey) && !(std::abs(storey) <= std::abs(measures.peak_storey_drift)))
+      measures.peak_storey_drift = storey, measures.peak_storey_drift_time = time;
     const std::optional<double> in_plane = wall_drift(wall, start_, poses, fallen_, DriftDirection::in_plane);
     m_.series.in_plane_drift.push_back(in_plane.value_or(kNone));
     if (in_plane) keep_larger(measures.peak_in_plane_drift, *in_plane);
@@ -175,7 +217,7 @@ class Measurer {
   }
 
   void finish_walls() {
-    m_.peak_drift = m_.residual_drift = m_.peak_in_plane_drift = kNone;
+    m_.peak_drift = m_.residual_drift = m_.peak_in_plane_drift = m_.peak_storey_drift = kNone;
     double first = std::numeric_limits<double>::infinity();
     for (std::size_t w = 0; w < walls_.size(); ++w) {
       WallMeasures& measures = m_.walls[w];
@@ -187,7 +229,10 @@ class Measurer {
         first = walls_[w].first_time;
         m_.first_fallen_wall = measures.name;
       }
-      if (!std::isnan(measures.peak_drift)) keep_larger(m_.peak_drift, std::abs(measures.peak_drift));
+      if (!std::isnan(measures.peak_drift) && !(std::abs(measures.peak_drift) <= m_.peak_drift))
+        m_.peak_drift = std::abs(measures.peak_drift), m_.peak_drift_time = measures.peak_drift_time;
+      if (!std::isnan(measures.peak_storey_drift) && !(std::abs(measures.peak_storey_drift) <= m_.peak_storey_drift))
+        m_.peak_storey_drift = std::abs(measures.peak_storey_drift), m_.peak_storey_drift_wall = measures.name;
       if (!std::isnan(measures.peak_in_plane_drift)) keep_larger(m_.peak_in_plane_drift, std::abs(measures.peak_in_plane_drift));
       if (!std::isnan(measures.residual_drift)) keep_larger(m_.residual_drift, std::abs(measures.residual_drift));
     }
@@ -201,6 +246,7 @@ class Measurer {
   FreeVolume volume_;
   InterpenetrationCheck penetration_;
   std::vector<std::string> tags_;
+  SeatSlip seats_;
   std::vector<std::uint8_t> fallen_;  // in the current frame
   Part all_, roof_;
   std::vector<Part> walls_;
@@ -212,6 +258,7 @@ class Measurer {
 Measures measure(const Hdf5File& run) {
   Measures m = Measurer(run).all();
   m.accelerations = point_accelerations(run);
+  m.ties = tie_measures(run);
   return m;
 }
 

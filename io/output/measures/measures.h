@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/output/measures/debris/debris.h"
+#include "io/output/measures/members/tie_measures.h"
 #include "io/output/measures/point_accelerations.h"
 
 /// Measures of a collapse, from the model, the cracks and the frames of a run. The single source for the summary of a run, the report page
@@ -29,6 +30,13 @@ struct WallMeasures {
   double peak_drift = 0;                            // largest magnitude while the wall stood; NaN: never stood
   double residual_drift = 0;                        // at the end; NaN: the wall does not stand
   double peak_in_plane_drift = 0;                   // as peak_drift, along the wall
+  double storey = 1;                                // number, from below
+  double foot = 0, top = 0;                         // m, of the wall above the base
+  double peak_drift_time = kNeverReached;           // s, of peak_drift
+  double peak_storey_drift = 0;                     // storey_drift of largest magnitude while the wall stood; NaN: never stood
+  double peak_storey_drift_time = kNeverReached;    // s, of it
+  double residual_storey_drift = 0;                 // at the end; NaN: the wall does not stand
+  double peak_seat_slip = 0, seat_slip = 0;         // m, largest of beams and rafters on it (seat_slip.h), at the end; NaN: it bears none
   double crack_extent = 0, large_crack_extent = 0;  // at the end: CrackExtent::fine and large
   double opened_extent = 0;                         // CrackExtent::any at the end
   double settling_crack_extent = 0;                 // CrackExtent::fine in the first frame
@@ -44,6 +52,8 @@ struct MeasureSeries {
   std::vector<std::int64_t> deep_pairs;  // pairs deeper than half a segment
   std::vector<double> drift;             // by wall within each frame; NaN: the wall does not stand
   std::vector<double> in_plane_drift;    // likewise, along the wall
+  std::vector<double> storey_drift;      // likewise
+  std::vector<double> seat_slip;         // m, the largest of all seats that are not lost; NaN: there are none
 };
 
 struct Measures {
@@ -65,6 +75,13 @@ struct Measures {
   double free_volume = 0, least_free_volume = 0;  // fraction of the initial one: in the last frame, least; NaN: there is no room
   double peak_drift = 0, residual_drift = 0;      // largest magnitude of all walls; NaN: undefined
   double peak_in_plane_drift = 0;                 // likewise, along the walls
+  double peak_drift_time = kNeverReached;         // s, of peak_drift
+  double peak_storey_drift = 0;                   // likewise, of storey_drift
+  std::string peak_storey_drift_wall;             // empty: there is no wall
+  double peak_seat_slip = 0, seat_slip = 0;       // m, largest slip of a beam or rafter, at the end; NaN: none lies on a wall
+  double peak_seat_slip_time = kNeverReached;     // s
+  std::string peak_seat_slip_place;               // empty: no slip
+  std::int64_t lost_seats = 0;                    // at the end
   // Overlap of bodies, see Interpenetration: in the last frame, and greatest over all frames.
   double penetration = 0, base_penetration = 0;            // m: of any two elements, or an element and the base; of elements and the base
   double peak_penetration = 0, peak_base_penetration = 0;  // m
@@ -74,6 +91,7 @@ struct Measures {
   double most_deep_pairs_time = kNeverReached;             // s, first frame with the most deep pairs
   std::int64_t touching_pairs = 0;                         // in the last frame
   std::vector<WallMeasures> walls;
+  std::vector<TieMeasures> ties;  // then decks and meshes
   MeasureSeries series;
   PointAccelerations accelerations;
 };

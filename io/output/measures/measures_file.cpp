@@ -42,6 +42,21 @@ void write_series(Hdf5File& file, const MeasureSeries& s, std::size_t walls) {
       {"1", "out-of-plane drift of each wall of /summary/wall, outward positive; NaN: it does not stand"});
   put(file, "/measures/in_plane_drift", s.in_plane_drift, {s.time.size(), walls},
       {"1", "in-plane drift of each wall of /summary/wall, along x or y positive; NaN: it does not stand"});
+  put(file, "/measures/storey_drift", s.storey_drift, {s.time.size(), walls},
+      {"1", "storey drift of each wall of /summary/wall, along x or y positive; NaN: it does not stand"});
+  put(file, "/measures/seat_slip", s.seat_slip, rows, {"m", "largest slip of a beam or rafter on a wall; NaN: there is none"});
+}
+
+void write_ties(Hdf5File& file, const std::vector<TieMeasures>& ties) {
+  if (ties.empty()) return;
+  std::vector<std::string> names;
+  for (const TieMeasures& t : ties) names.push_back(t.name);
+  file.write_strings("/summary/tie/name", names, {"1", "ties, then decks and meshes, in the order of the other datasets here"});
+  for (const TieColumn& column : kTieColumns) {
+    std::vector<double> values;
+    for (const TieMeasures& t : ties) values.push_back(t.*column.value);
+    put(file, std::string("/summary/tie/") + column.name, values, {ties.size()}, {column.unit, column.description});
+  }
 }
 
 }  // namespace
@@ -66,6 +81,14 @@ std::vector<Figure> figures_of(const Measures& m) {
           {"peak_drift", m.peak_drift, "1 (NaN: there is no wall)"},
           {"residual_drift", m.residual_drift, "1 (NaN: no wall stands)"},
           {"peak_in_plane_drift", m.peak_in_plane_drift, "1 (NaN: there is no wall)"},
+          {"peak_drift_time", m.peak_drift_time, "s (below 0: never)"},
+          {"peak_storey_drift", m.peak_storey_drift, "1 (NaN: there is no wall)"},
+          {"peak_storey_drift_wall", m.peak_storey_drift_wall, "a name of wall/name (empty: none)"},
+          {"peak_seat_slip", m.peak_seat_slip, "m (NaN: no timber lies on a wall)"},
+          {"peak_seat_slip_time", m.peak_seat_slip_time, "s (below 0: never)"},
+          {"peak_seat_slip_place", m.peak_seat_slip_place, "timber and wall (empty: none)"},
+          {"seat_slip", m.seat_slip, "m (NaN: no timber lies on a wall)"},
+          {"lost_seats", m.lost_seats, "seats of timber"},
           {"penetration", m.penetration, "m"},
           {"peak_penetration", m.peak_penetration, "m"},
           {"peak_penetration_time", m.peak_penetration_time, "s (below 0: never)"},
@@ -98,6 +121,11 @@ std::string measures_json(const Measures& m) {
     nlohmann::ordered_json& wall = out["walls"].emplace_back(nlohmann::ordered_json{{"name", w.name}});
     for (const WallColumn& column : kWallColumns) wall[column.name] = w.*column.value;
   }
+  out["ties"] = nlohmann::ordered_json::array();
+  for (const TieMeasures& t : m.ties) {
+    nlohmann::ordered_json& tie = out["ties"].emplace_back(nlohmann::ordered_json{{"name", t.name}});
+    for (const TieColumn& column : kTieColumns) tie[column.name] = t.*column.value;
+  }
   out["points"] = nlohmann::ordered_json::array();
   for (const PointAcceleration& p : m.accelerations.points)
     out["points"].push_back({{"name", p.name}, {"peak_acceleration", p.peak_horizontal}});
@@ -110,6 +138,7 @@ void write_measures(Hdf5File& file, const Measures& m) {
   put(file, "/summary/grade_time", std::vector<double>(m.grade_time.begin(), m.grade_time.end()), {m.grade_time.size()},
       {"s", "from when on damage was of grade 1, 2, 3, 4, 5 of EMS-98 at least; below 0: never"});
   write_walls(file, m.walls);
+  write_ties(file, m.ties);
   write_series(file, m.series, m.walls.size());
   write_accelerations(file, m.accelerations);
 }

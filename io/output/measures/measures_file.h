@@ -44,6 +44,36 @@ inline constexpr std::array kWallColumns{
     WallColumn{"opened_extent", &WallMeasures::opened_extent, "1", "area of joints that came open since time zero over the section"},
     WallColumn{"settling_crack_extent", &WallMeasures::settling_crack_extent, "1", "crack_extent when the shaking began"},
     WallColumn{"large_crack_extent", &WallMeasures::large_crack_extent, "1", "the same with 5 mm"},
+    WallColumn{"storey", &WallMeasures::storey, "1", "number of the storey, from below"},
+    WallColumn{"foot", &WallMeasures::foot, "m", "height of the wall's foot above the base"},
+    WallColumn{"top", &WallMeasures::top, "m", "height of its top, without a gable"},
+    WallColumn{"peak_drift_time", &WallMeasures::peak_drift_time, "s", "of peak_drift; below 0: never"},
+    WallColumn{"peak_storey_drift", &WallMeasures::peak_storey_drift, "1",
+               "drift of its storey along the wall while it stood, along x or y positive; NaN: it never stood"},
+    WallColumn{"peak_storey_drift_time", &WallMeasures::peak_storey_drift_time, "s", "of it; below 0: never"},
+    WallColumn{"residual_storey_drift", &WallMeasures::residual_storey_drift, "1", "the same at the end; NaN: the wall does not stand"},
+    WallColumn{"peak_seat_slip", &WallMeasures::peak_seat_slip, "m", "largest slip of a beam or rafter on it; NaN: it bears none"},
+    WallColumn{"seat_slip", &WallMeasures::seat_slip, "m", "the same at the end; NaN: it bears none"},
+};
+
+/// A measure by tie: a dataset of /summary/tie.
+struct TieColumn {
+  const char* name;
+  double TieMeasures::*value;
+  const char* unit;
+  const char* description;
+};
+inline constexpr std::array kTieColumns{
+    TieColumn{"bars", &TieMeasures::bars, "1",
+              "0: a separate tie; else number of the bars of a deck or mesh, whose figures are of its bar "
+              "in which they are largest"},
+    TieColumn{"peak_force", &TieMeasures::peak_force, "N", "largest in magnitude; tension is positive"},
+    TieColumn{"peak_force_time", &TieMeasures::peak_time, "s", "of it"},
+    TieColumn{"peak_elongation", &TieMeasures::peak_elongation, "m", "largest in magnitude"},
+    TieColumn{"plastic", &TieMeasures::plastic, "m", "elongation that stays, at the end; NaN: a deck or mesh"},
+    TieColumn{"utilisation", &TieMeasures::utilisation, "1", "largest force over yield force; NaN: elastic, or not known"},
+    TieColumn{"yielded", &TieMeasures::yielded, "1", "ties or bars that have yielded and hold, at the end"},
+    TieColumn{"broken", &TieMeasures::broken, "1", "ties or bars that have broken, at the end"},
 };
 
 /// Units of the figures, for the attribute `units` of /summary: "name, name: unit; ...".

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 namespace voussoir::io {
 namespace {
@@ -83,6 +84,22 @@ std::optional<double> wall_drift(const Wall& wall, const std::vector<Pose>& star
   }
   if (gone >= standing) return {};
   return most / wall.height();
+}
+
+std::optional<double> storey_drift(const Wall& wall, const std::vector<Pose>& start, const std::vector<Pose>& poses,
+                                   const std::vector<std::uint8_t>& fallen) {
+  constexpr DriftDirection kAlong = DriftDirection::in_plane;
+  std::set<std::size_t> counted;  // an element between two pieces is in both
+  std::size_t standing = 0, gone = 0;
+  double sum = 0;
+  for (std::vector<std::size_t> piece : wall.top) {
+    std::erase_if(piece, [&](std::size_t e) { return !counted.insert(e).second; });
+    const Sum of_piece = sum_of(wall, displacements_of(piece, start, poses, fallen), kAlong);
+    standing += of_piece.standing, gone += of_piece.gone, sum += of_piece.metres;
+  }
+  if (gone >= standing) return {};
+  const double foot = sum_of(wall, displacements_of(wall.foot, start, poses, fallen), kAlong).mean();
+  return (sum / static_cast<double>(standing) - foot) / wall.height();
 }
 
 }  // namespace voussoir::io

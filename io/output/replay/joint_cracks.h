@@ -48,4 +48,8 @@ struct JointEdge {
 std::vector<std::vector<JointEdge>> joint_edges(const Hdf5File& run, const std::vector<std::size_t>& joints,
                                                 DryJoints dry = DryJoints::open);
 
+/// For each joint, the corners of the area shared by its two elements, in the reference configuration [m].
+/// \param joints  rows of /model/joint \throw FileError
+std::vector<std::vector<Vec3>> joint_corners(const Hdf5File& run, const std::vector<std::size_t>& joints);
+
 }  // namespace voussoir::io

@@ -73,16 +73,15 @@ struct Faces {
   }
 };
 
-}  // namespace
-
-std::vector<std::vector<JointEdge>> joint_edges(const Hdf5File& run, const std::vector<std::size_t>& joints, DryJoints dry) {
+/// The areas shared by the two elements of joints.
+std::vector<Polygon> shared_areas(const Hdf5File& run, const std::vector<std::size_t>& joints, DryJoints dry) {
   const Faces faces(run, dry);
   const auto a = run.read<std::int32_t>("/model/joint/element_a"), b = run.read<std::int32_t>("/model/joint/element_b");
   const auto centre = run.read<double>("/model/joint/centre"), normal = run.read<double>("/model/joint/normal");
   if (b.size() != a.size() || centre.size() != 3 * a.size() || normal.size() != 3 * a.size())
     throw FileError(run.path(), "/model/joint does not fit together");
   const auto elements = static_cast<std::int64_t>(faces.first.size());
-  std::vector<std::vector<JointEdge>> all;
+  std::vector<Polygon> all;
   for (const std::size_t j : joints) {
     if (a[j] < 0 || a[j] >= elements || b[j] >= elements)
       throw FileError(run.path(), "/model/joint: row " + std::to_string(j) + " refers to no element");
@@ -90,9 +89,28 @@ std::vector<std::vector<JointEdge>> joint_edges(const Hdf5File& run, const std::
     constexpr double kFar = 1e3;  // m; beyond any face
     Polygon p = faces.within(a[j], n, square({centre[3 * j], centre[3 * j + 1], centre[3 * j + 2]}, n, kFar));
     if (b[j] >= 0) p = faces.within(b[j], n, std::move(p));
+    all.push_back(std::move(p));
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<std::vector<JointEdge>> joint_edges(const Hdf5File& run, const std::vector<std::size_t>& joints, DryJoints dry) {
+  std::vector<std::vector<JointEdge>> all;
+  for (const Polygon& p : shared_areas(run, joints, dry)) {
     auto& edges = all.emplace_back();
     for (std::size_t i = 0; i < p.size(); ++i)
       if (p[i].on_surface) edges.push_back({p[i].at, p[(i + 1) % p.size()].at});
+  }
+  return all;
+}
+
+std::vector<std::vector<Vec3>> joint_corners(const Hdf5File& run, const std::vector<std::size_t>& joints) {
+  std::vector<std::vector<Vec3>> all;
+  for (const Polygon& p : shared_areas(run, joints, DryJoints::open)) {
+    auto& corners = all.emplace_back();
+    for (const Corner& c : p) corners.push_back(c.at);
   }
   return all;
 }

@@ -17,12 +17,15 @@
 #include "io/output/replay/joint_cracks.h"
 #include "io/output/replay/opened_faces.h"
 #include "io/output/replay/run_file.h"
+#include "io/output/report/damage/report_cracks.h"
+#include "io/output/report/damage/report_loads.h"
 #include "io/output/report/report_bodies.h"
 #include "io/output/report/report_facts.h"
 #include "io/output/report/report_frames.h"
 #include "io/output/report/report_model.h"
 #include "io/output/report/report_modes.h"
 #include "io/output/report/report_page.h"
+#include "io/output/results/case_of_run.h"
 
 namespace voussoir::io {
 namespace {
@@ -60,6 +63,18 @@ void put_bodies(Scripts& out, const Hdf5File& file, const FrameReader& reader) {
     throw;
   } catch (const FileError& e) {
     std::fprintf(stderr, "warning: the page has no mechanism: %s\n", e.what());
+  }
+}
+
+/// Adds the cracks at the end and their maps; omitted for a run whose case this program cannot read.
+void put_cracks(Scripts& out, const Hdf5File& file, const FrameReader& reader) {
+  try {
+    const std::string cracks = report_cracks(file, case_of_run(file), reader);
+    if (!cracks.empty()) out.put("crack-list", std::vector<char>(cracks.begin(), cracks.end()));
+  } catch (const DamagedFile&) {
+    throw;
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "warning: the page has no table of cracks: %s\n", e.what());
   }
 }
 
@@ -104,6 +119,8 @@ std::string report_data(const std::string& run, const std::string& prefix, const
   out.put("crack-levels", steps(cracks.level, cracks.edges.size()));
   if (const std::vector<std::int32_t> loops = polyhedron_loops(file); !loops.empty()) out.put("loops", loops);
   put_bodies(out, file, reader);
+  put_cracks(out, file, reader);
+  if (const std::string loads = report_loads(file, reader); !loads.empty()) out.put("loads", std::vector<char>(loads.begin(), loads.end()));
   put_modes(out, file, reader, modes);
   out.put("turn-shifts", frames.shift);
   out.put("text/plain", "frames", frames.text);

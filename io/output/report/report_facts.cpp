@@ -22,10 +22,12 @@
 #include "io/input/motion/spectra/figures.h"
 #include "io/input/motion/spectra/intensity.h"
 #include "io/output/measures/building.h"
+#include "io/output/measures/capacity/capacity.h"
 #include "io/output/measures/measures_file.h"
 #include "io/output/measures/place_in_run.h"
 #include "io/output/replay/frame_reader.h"
 #include "io/output/replay/run_state.h"
+#include "io/output/report/damage/worst_moment.h"
 #include "io/output/report/report_capacity.h"
 #include "io/output/report/report_plots.h"
 #include "io/output/results/case_of_run.h"
@@ -238,10 +240,30 @@ void add_ground(const LoadedCase& c, const Hdf5File& file, const FrameReader& fr
   }
 }
 
-constexpr double kWildDrift = 25;  // %; greater drifts, of a falling wall, are not drawn
+/// The moment at which the page opens, and what happens then.
+void add_worst(const Hdf5File& file, const Measures& m, const FrameReader& frames, Json& facts) {
+  const std::optional<Capacity> capacity = capacity_of(file);
+  if (const auto worst = worst_moment(m, capacity ? &*capacity : nullptr, frames))
+    facts["worst"] = {{"time", worst->time}, {"name", worst->name}, {"what", worst->what}};
+}
+
+/// Adds the plot of storey drifts, and of decks and meshes.
+void add_members(const Hdf5File& file, const Measures& m, const std::vector<std::string>& walls, std::vector<Plot>& plots) {
+  if (!walls.empty()) {
+    plots.push_back({"Storey drift along the walls", "%", thinned(m.series.time), columns(m.series.storey_drift, walls, 100)});
+    plots.back().clip = 100 * kWildDrift;
+  }
+  if (m.peak_seat_slip > 0)
+    plots.push_back({"Slip of beams on walls, the largest", "mm", thinned(m.series.time), columns(m.series.seat_slip, {"slip"}, 1000)});
+  if (!file.exists("/meshes/utilisation")) return;
+  const std::vector<std::string> names = file.read_strings("/model/mesh");
+  const auto time = file.read<double>("/history/time"), used = file.read<double>("/meshes/utilisation");
+  if (!time.empty())
+    plots.push_back({"Decks and meshes: force over strength of the bar that bears most", "%", thinned(time), columns(used, names, 100)});
+}
 
 /// Adds plots and facts of the collapse.
-void add_measures(const Hdf5File& file, Json& facts, std::vector<Plot>& plots) {
+void add_measures(const Hdf5File& file, const FrameReader& frames, Json& facts, std::vector<Plot>& plots) {
   try {
     const Measures m = measure(file);
     facts["measures"] = Json::parse(measures_json(m));
@@ -252,8 +274,10 @@ void add_measures(const Hdf5File& file, Json& facts, std::vector<Plot>& plots) {
     for (const WallMeasures& w : m.walls) walls.push_back(w.name);
     if (!walls.empty()) {
       plots.push_back({"Out-of-plane drift, outward positive", "%", time, columns(m.series.drift, walls, 100)});
-      plots.back().clip = kWildDrift;
+      plots.back().clip = 100 * kWildDrift;
     }
+    add_worst(file, m, frames, facts);
+    add_members(file, m, walls, plots);
     std::vector<Curve> fallen = columns(m.series.fallen_mass_fraction, {"fallen mass"}, 100);
     if (m.initial_free_volume > 0) fallen.push_back({"free volume under the roof", thinned(m.series.free_volume, 0, 1, 100)});
     plots.push_back({m.initial_free_volume > 0 ? "Fallen mass, volume left under the roof" : "Fallen mass", "%", time, std::move(fallen)});
@@ -335,7 +359,7 @@ ReportFacts report_facts(const Hdf5File& file, const FrameReader& frames, double
   std::vector<Plot> plots;
   if (c) add_ground(*c, file, frames, facts, plots);
   if (const auto found = report_capacity(file, c ? &c->value : nullptr, plots)) facts.update(Json::parse(*found));
-  add_measures(file, facts, plots);
+  add_measures(file, frames, facts, plots);
   add_histories(file, plots);
   add_base_shear(file, plots);
   add_ties(file, plots);

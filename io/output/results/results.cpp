@@ -104,7 +104,8 @@ ResultsWriter::ResultsWriter(std::string folder, const cases::Model& model, std:
       elements_(model.blocks.size()),
       histories_(history_names.size()),
       ties_(cases::own_ties(model)),
-      schema_(row_schema(history_names, model.blocks.size(), options.cuts, ties_.size())),
+      groups_(cases::tie_groups(model).size()),
+      schema_(row_schema(history_names, model.blocks.size(), options.cuts, ties_.size(), groups_.size())),
       model_(model_datasets(model)),
       provenance_(std::move(provenance)),
       options_(options) {
@@ -151,6 +152,7 @@ void ResultsWriter::history(double time, std::span<const solver::HistorySample> 
     to.put(column++, s.rotation);
   }
   if (!ties_.empty()) put_ties(to, column);
+  if (!groups_.empty()) put_groups(to, column);
   write_if_due();
 }
 
@@ -159,12 +161,29 @@ void ResultsWriter::ties(double, std::span<const solver::TieSample> samples) {
   std::ranges::copy(samples, ties_.begin());
 }
 
-void ResultsWriter::put_ties(RowBuffer& to, std::size_t column) {
+void ResultsWriter::tie_groups(double, std::span<const solver::TieGroupSample> samples) {
+  if (samples.size() != groups_.size()) throw std::logic_error("a row of decks and meshes has another number of samples than the model");
+  std::ranges::copy(samples, groups_.begin());
+}
+
+void ResultsWriter::put_ties(RowBuffer& to, std::size_t& column) {
   for (const auto value : {&solver::TieSample::force, &solver::TieSample::elongation, &solver::TieSample::plastic}) {
     for (const solver::TieSample& s : ties_) to.put(column, s.*value);
     ++column;
   }
   for (const solver::TieSample& s : ties_) to.put(column, static_cast<std::uint8_t>(s.broken));
+  ++column;
+}
+
+void ResultsWriter::put_groups(RowBuffer& to, std::size_t column) {
+  for (const auto value : {&solver::TieGroupSample::force, &solver::TieGroupSample::elongation, &solver::TieGroupSample::utilisation}) {
+    for (const solver::TieGroupSample& s : groups_) to.put(column, s.*value);
+    ++column;
+  }
+  for (const auto value : {&solver::TieGroupSample::yielded, &solver::TieGroupSample::broken}) {
+    for (const solver::TieGroupSample& s : groups_) to.put(column, s.*value);
+    ++column;
+  }
 }
 
 void ResultsWriter::energy(const solver::EnergyRow& row) {

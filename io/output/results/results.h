@@ -59,6 +59,7 @@ class ResultsWriter final : public solver::Recorder {
   /// \throw std::logic_error if time decreases, or the number of samples or the frame size does not fit the model
   void history(double time, std::span<const solver::HistorySample> samples) override;
   void ties(double time, std::span<const solver::TieSample> samples) override;
+  void tie_groups(double time, std::span<const solver::TieGroupSample> samples) override;
   void energy(const solver::EnergyRow& row) override;
   void forces(const solver::ForcesRow& row) override;
   void cuts(double time, std::span<const solver::CutSample> samples) override;
@@ -101,7 +102,8 @@ class ResultsWriter final : public solver::Recorder {
   using Clock = std::chrono::steady_clock;
 
   [[nodiscard]] RowBuffer& table(RowTable t) noexcept { return nth(buffers_, t); }
-  void put_ties(RowBuffer& to, std::size_t column);
+  void put_ties(RowBuffer& to, std::size_t& column);
+  void put_groups(RowBuffer& to, std::size_t column);
   [[nodiscard]] double wall_clock() const;
   void continue_earlier();
   void write_if_due();
@@ -113,7 +115,8 @@ class ResultsWriter final : public solver::Recorder {
 
   std::string folder_, case_toml_;
   std::size_t elements_, histories_;
-  std::vector<solver::TieSample> ties_;  // of the next row
+  std::vector<solver::TieSample> ties_;         // of the next row
+  std::vector<solver::TieGroupSample> groups_;  // likewise
   RowSchema schema_;
   std::vector<StaticDataset> model_;
   Provenance provenance_;

@@ -3,12 +3,18 @@
 #include "io/output/results/results_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <limits>
 #include <optional>
 
+#include "cases/case.h"
+#include "cases/loads/loads.h"
+#include "cases/loads/moving_load.h"
 #include "cases/model.h"
+#include "cases/ties.h"
 #include "geometry/nth.h"
 #include "io/output/replay/cells.h"
 
@@ -199,11 +205,12 @@ void add_materials(const cases::Model& model, Datasets& out) {
 /// Adds separate ties, not those of meshes; nothing for a model without ties.
 void add_ties(const cases::Model& m, Datasets& out) {
   std::vector<std::string> names;
-  std::vector<double> ends;
+  std::vector<double> ends, strengths;
   std::vector<std::int32_t> elements;
   for (const cases::TieBar& bar : m.ties) {
     if (bar.mesh >= 0) break;
     names.push_back(bar.name);
+    strengths.push_back(std::isfinite(bar.yield) ? bar.yield : std::numeric_limits<double>::quiet_NaN());
     for (const auto& end : bar.ends) {
       Vec3 at;
       for (const cases::TieHold& h : end) at += h.share * h.point;
@@ -215,7 +222,53 @@ void add_ties(const cases::Model& m, Datasets& out) {
   out.push_back(texts("/model/tie", std::move(names), "names of the ties"));
   out.push_back(dataset("/model/tie_ends", ends, 6, "m", "where each tie begins and ends at the start: x, y, z of both ends"));
   out.push_back(dataset("/model/tie_element", elements, 2, "1", "what holds most of each end: an element, or -1, the base"));
+  out.push_back(dataset("/model/tie_strength", strengths, 1, "N", "force at which each tie yields; NaN: it is elastic"));
 }
+
+/// Adds the names of decks and meshes; nothing for a model without.
+void add_meshes(const cases::Model& m, Datasets& out) {
+  std::vector<std::string> names;
+  std::vector<std::int64_t> bars;
+  for (const cases::TieGroup& g : cases::tie_groups(m)) {
+    names.push_back(g.name);
+    bars.push_back(static_cast<std::int64_t>(g.last - g.first));
+  }
+  if (names.empty()) return;
+  out.push_back(texts("/model/mesh", std::move(names), "names of decks and meshes"));
+  out.push_back(dataset("/model/mesh_bars", bars, 1, "1", "number of the bars of each deck and mesh"));
+}
+
+/// Rows of /loads.
+class LoadTable {
+ public:
+  void add(std::size_t load, const cases::Load& l, const cases::LoadShare& share, const cases::SupportHistory& force, double part) {
+    load_.push_back(static_cast<std::int32_t>(load));
+    element_.push_back(share.element);
+    append(point_, share.point);
+    follows_.push_back(l.follows ? 1 : 0), grows_.push_back(l.grows ? 1 : 0);
+    first_.push_back(static_cast<std::int32_t>(time_.size()));
+    for (std::size_t k = 0; k < force.time.size(); ++k) time_.push_back(force.time[k]), append(force_, part * force.displacement[k]);
+  }
+  [[nodiscard]] Datasets datasets() const {
+    Datasets out;
+    out.push_back(
+        dataset("/loads/load", load_, 1, "1", "number of the table [[load]] in the case, from 0; a moving load has a row each place"));
+    out.push_back(dataset("/loads/element", element_, 1, "1", "element on which this share of the load acts"));
+    out.push_back(dataset("/loads/point", point_, 3, "m", "where it acts, in the reference configuration; moves with the element"));
+    out.push_back(dataset("/loads/follows", follows_, 1, "1", "1: the force turns with the element"));
+    out.push_back(dataset("/loads/grows", grows_, 1, "1", "1: the force is multiplied by /assessment/factor"));
+    out.push_back(dataset("/loads/first_row", first_, 1, "1", "first of its rows of /loads/time and /loads/force"));
+    out.push_back(dataset("/loads/time", time_, 1, "s",
+                          "of the rows of force: linear between them, nothing before the first, constant after the last"));
+    out.push_back(dataset("/loads/force", force_, 3, "N", "of the share at these times"));
+    return out;
+  }
+
+ private:
+  std::vector<std::int32_t> load_, element_, first_;
+  std::vector<std::uint8_t> follows_, grows_;
+  std::vector<double> point_, time_, force_;
+};
 
 }  // namespace
 
@@ -232,7 +285,27 @@ std::vector<StaticDataset> model_datasets(const cases::Model& model) {
   add_joints(model, out);
   add_materials(model, out);
   add_ties(model, out);
+  add_meshes(model, out);
   return out;
+}
+
+std::vector<StaticDataset> load_datasets(const cases::Case& c, const cases::Model& model) {
+  if (c.loads.empty()) return {};
+  LoadTable t;
+  for (std::size_t i = 0; i < c.loads.size(); ++i) {
+    const cases::Load& l = c.loads[i];
+    if (l.path) {
+      for (const cases::MovingShare& m : cases::moving_shares(model, l, i, nth(model.support_motions, model.load_path[i])))
+        t.add(i, l, m.share, m.force, 1.0);
+      continue;
+    }
+    cases::SupportHistory force{{l.ramp[0], l.ramp[1]}, {Vec3{}, l.force}};
+    if (l.ramp[1] <= l.ramp[0]) force = cases::SupportHistory{{l.ramp[1]}, {l.force}};
+    if (l.grows) force = cases::SupportHistory{{0.0}, {l.force}};
+    if (l.history) force = nth(model.support_motions, model.load_history[i]);
+    for (const cases::LoadShare& s : cases::load_shares(model, l, i)) t.add(i, l, s, force, s.part);
+  }
+  return t.datasets();
 }
 
 void write_datasets(Hdf5File& file, const std::vector<StaticDataset>& datasets) {

@@ -33,6 +33,10 @@ struct StaticDataset {
 /// \throw std::invalid_argument if assembly and blocks do not match
 std::vector<StaticDataset> model_datasets(const cases::Model& model);
 
+/// The group /loads: the shares of all [[load]] tables on elements, with the force of each over time; empty without loads.
+/// \pre the histories and paths of the model have been read (support_motion.h) \throw InputError as cases::load_shares
+std::vector<StaticDataset> load_datasets(const cases::Case& c, const cases::Model& model);
+
 void write_datasets(Hdf5File& file, const std::vector<StaticDataset>& datasets);
 
 }  // namespace voussoir::io

@@ -39,7 +39,16 @@ void add_tie_columns(TableSpec& t, std::uint64_t n) {
   t.push_back({"/ties/broken", u8, {n}, {"1", "1: the tie has broken"}, {}});
 }
 
-TableSpec history_columns(std::span<const std::string> names, std::uint64_t ties) {
+void add_mesh_columns(TableSpec& t, std::uint64_t n) {
+  const std::string order = "of each deck and mesh, in the order of /model/mesh, at /history/time: of its bar with the largest";
+  t.push_back({"/meshes/force", f64, {n}, {"N", order + "; tension is positive"}, {}});
+  t.push_back({"/meshes/elongation", f64, {n}, {"m", order}, {}});
+  t.push_back({"/meshes/utilisation", f64, {n}, {"1", order + ": force over yield force; NaN: its bars are elastic"}, {}});
+  t.push_back({"/meshes/yielded", i64, {n}, {"1", "bars that have yielded and are not broken"}, {}});
+  t.push_back({"/meshes/broken", i64, {n}, {"1", "bars that have broken"}, {}});
+}
+
+TableSpec history_columns(std::span<const std::string> names, std::uint64_t ties, std::uint64_t groups) {
   TableSpec t{scalar("/history/time", "s", "time of the rows of all histories; zero is the start of shaking, settling is before")};
   for (const std::string& name : names) {
     const std::string group = "/history/" + name + "/";
@@ -48,6 +57,7 @@ TableSpec history_columns(std::span<const std::string> names, std::uint64_t ties
     t.push_back(vector(group + "rotation", "rad", "rotation vector of the element; global axes"));
   }
   if (ties > 0) add_tie_columns(t, ties);
+  if (groups > 0) add_mesh_columns(t, groups);
   return t;
 }
 
@@ -149,10 +159,10 @@ std::size_t ColumnSpec::row_bytes() const noexcept {
 }
 
 RowSchema row_schema(std::span<const std::string> history_names, std::uint64_t elements, std::span<const std::string> cut_names,
-                     std::uint64_t ties) {
+                     std::uint64_t ties, std::uint64_t groups) {
   check_names("history", history_names);
   check_names("cut", cut_names);
-  return {history_columns(history_names, ties),
+  return {history_columns(history_names, ties, groups),
           energy_columns(),
           forces_columns(),
           damage_columns(),

@@ -12,6 +12,7 @@ import numpy as np
 
 import voussoir
 from fixture import InAFolder, blocks
+from forging import forge
 
 
 class Results(InAFolder):
@@ -46,6 +47,18 @@ class Results(InAFolder):
         self.assertTrue(self.run_.finished)
         self.assertEqual(self.run_.case["title"], "Two bonded blocks")
         self.assertTrue(self.run_.provenance["version"].startswith("0."))
+
+    def test_ties_and_walls_are_there_by_name(self):
+        self.assertEqual((self.run_.ties, self.run_.walls), ({}, {}))
+
+        def tied(file):
+            group = file.create_group("summary/tie")
+            group["name"] = np.array([b"rod", b"floor 1 deck"])
+            group["peak_force"], group["utilisation"] = np.array([2e3, -5e2]), np.array([0.5, np.nan])
+        forge(self.run_.folder / "run.h5", self.folder / "run.h5", tied)
+        ties = voussoir.Results(self.folder).ties
+        self.assertEqual((list(ties), ties["rod"]), (["rod", "floor 1 deck"], {"peak_force": 2e3, "utilisation": 0.5}))
+        self.assertTrue(np.isnan(ties["floor 1 deck"]["utilisation"]))
 
     def test_frames_place_the_vertices(self):
         frames = self.run_.frames

@@ -386,10 +386,14 @@ class Results:
             group = self._at("summary").get("wall")
             if group is None:
                 return {}
-            table = Table(group)
-            columns = {name: table[name] for name in table}
-            names = columns.pop("name")
-            return {name: {key: float(values[k]) for key, values in columns.items()} for k, name in enumerate(names)}
+            return _by_name(Table(group))
+
+    @property
+    def ties(self) -> dict[str, dict[str, float]]:
+        """Measures of each tie, then of each deck and mesh: peak_force, peak_elongation, utilisation, ... Forces over time: `file["ties"]`."""
+        with reading(f"{self._path}, summary/tie"):
+            group = self._at("summary").get("tie")
+            return {} if group is None else _by_name(Table(group))
 
     @property
     def provenance(self) -> dict[str, Any]:
@@ -400,6 +404,13 @@ class Results:
         """Whether the run has reached its end."""
         with reading(f"{self._path}, summary"):
             return bool(self.summary["finished"])
+
+
+def _by_name(table: Table) -> dict[str, dict[str, float]]:
+    """The rows of a table by their column `name`."""
+    columns = {name: table[name] for name in table}
+    names = columns.pop("name")
+    return {name: {key: float(values[k]) for key, values in columns.items()} for k, name in enumerate(names)}
 
 
 def _plain(attributes: Any) -> dict[str, Any]:

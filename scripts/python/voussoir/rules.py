@@ -29,8 +29,8 @@ class Rule:
 
 
 _E, _V, _F, _C, _J = "/model/element/mass", "/model/vertex", "/model/face/element", "/model/face/corners", "/model/joint/area"
-_M, _L, _CELLS, _FRAMES, _CRACKS, _TIES = ("/model/material/density", "/model/law/tension", "/model/cell_type", "/frames/time", "/cracks/time",
-                                           "/model/tie")
+_M, _L, _CELLS, _FRAMES, _CRACKS, _TIES, _MESHES, _LOADS = ("/model/material/density", "/model/law/tension", "/model/cell_type", "/frames/time",
+                                                    "/cracks/time", "/model/tie", "/model/mesh", "/loads/element")
 
 # By name; that of a group, with "/" at its end, is of each dataset in it that has no rule of its own. The first that fits.
 _RULES = {
@@ -66,6 +66,8 @@ _RULES = {
     "/model/law/": Rule((_L,)),
     "/model/tie_ends": Rule((_TIES, "6")),
     "/model/tie_element": Rule((_TIES, "2"), "index", _E, -1),
+    "/model/tie_strength": Rule((_TIES,), "any"),
+    "/model/mesh_bars": Rule((_MESHES,), "positive"),
     "/frames/time": Rule((_FRAMES,), "time"),
     "/frames/displacement": Rule((_FRAMES, _E, "3")),
     "/frames/position": Rule((_FRAMES, _E, "3")),
@@ -80,7 +82,9 @@ _RULES = {
     "/cracks/mode": Rule((_CRACKS,), "index", "4"),
     "/cracks/first_mode": Rule((_CRACKS,), "index", "4"),
     "/cracks/": Rule((_CRACKS,), "row"),
-    "/ties/": Rule(("/history/time",), "row"),
+    **{f"/ties/{name}": Rule(("/history/time", _TIES), "row") for name in ("force", "elongation", "plastic", "broken")},
+    **{f"/meshes/{name}": Rule(("/history/time", _MESHES), "row") for name in ("force", "elongation", "yielded", "broken")},
+    "/meshes/utilisation": Rule(("/history/time", _MESHES), "any"),
     **{name: rule for table in ("history", "acceleration", "energy", "forces", "cuts", "damage")
        for name, rule in ((f"/{table}/time", Rule((f"/{table}/time",), "time")), (f"/{table}/", Rule((f"/{table}/time",), "row")))},
     "/assessment/time": Rule(("/assessment/time",), "time"),
@@ -90,10 +94,19 @@ _RULES = {
     "/motion/factor": Rule(("1",)),
     "/motion/time": Rule(("/motion/time",), "time"),
     "/motion/": Rule(("/motion/time",)),
+    "/loads/load": Rule((_LOADS,), "index", "1000000000"),
+    "/loads/element": Rule((_LOADS,), "index", _E),
+    "/loads/point": Rule((_LOADS, "3")),
+    "/loads/follows": Rule((_LOADS,), "index", "2"),
+    "/loads/grows": Rule((_LOADS,), "index", "2"),
+    "/loads/first_row": Rule((_LOADS,), "start", "/loads/time"),
+    "/loads/time": Rule(("/loads/time",)),
+    "/loads/force": Rule(("/loads/time", "3")),
     "/measures/time": Rule(("/measures/time",), "time"),
     "/measures/damage_grade": Rule(("/measures/time",), "index", "6", -1),
     "/measures/": Rule(("/measures/time",), "any"),
     "/summary/wall/": Rule(("/summary/wall/name",), "any"),
+    "/summary/tie/": Rule(("/summary/tie/name",), "any"),
 }
 _TABLES = ("history", "energy", "forces", "damage", "cracks", "frames", "cuts", "assessment")
 

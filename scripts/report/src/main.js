@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+import { CrackTable } from "./cracktable.js";
 import { CurvePlot } from "./curves.js";
 import { loadRun } from "./data.js";
 import { showLegend } from "./legend.js";
 import { drawOverlay } from "./overlay.js";
+import { loadsAt } from "./loads.js";
 import { Pane } from "./pane.js";
 import { compose, kPaper, Recorder } from "./pictures.js";
 import { Plot } from "./plots.js";
@@ -18,7 +20,7 @@ function say(id, text) {
   if (by(id).textContent !== text) by(id).textContent = text;
 }
 const afterComma = (url) => url.slice(url.indexOf(",") + 1);
-const kNight = { text: "#e8e6e2", rim: "rgba(20, 20, 22, 0.85)", arrow: "#7db7ff", hinge: "#b9c4ff" };
+const kNight = { text: "#e8e6e2", rim: "rgba(20, 20, 22, 0.85)", arrow: "#7db7ff", hinge: "#b9c4ff", load: "#e5a8ff" };
 // While it plays where the processor draws: only every so many frames the clock, the slider and the lines in the plots go on, and every so many
 // times that values are read and the picture is written upon. What changes beside the house has to be painted, too.
 const kStepped = 3, kSeldom = 3;
@@ -53,6 +55,7 @@ class Report {
     by("title").textContent = document.title = runs.map((run, i) => (runs.length > 1 ? `${"AB"[i]}: ` : "") + run.facts.title).join("  |  ");
     by("subtitle").textContent = runs.map((run) => subtitle(run) + (run.facts.model ? " · the model, before it moves" : "")).filter((text, i, all) => all.indexOf(text) === i).join("  |  ");
     showSummary(by("keys"), by("summary"), by("provenance").lastElementChild, runs);
+    this.crackTables = runs.map((run, i) => run.crackList?.cracks.length > 0 && new CrackTable(by("summary"), run.crackList, runs.length > 1 ? "AB"[i] : "", (t) => this.seek(t)));
     const titles = [...new Set(runs.flatMap((run) => run.facts.plots.map((p) => p.title)))];
     this.plots = titles.map((title) => {
       const plots = runs.map((run) => run.facts.plots.find((p) => p.title === title)), seek = (t) => this.seek(t);
@@ -164,7 +167,8 @@ class Report {
     }
     const camera = cameraNumbers(asked.get("camera"));
     if (by("camera").value === "free") by("camera").value = "corner";
-    this.seek(Number(asked.get("t") ?? this.times[0]));
+    this.seek(Number(asked.get("t") ?? (this.still_ ? null : this.run.facts.worst?.time) ?? this.times[0]));
+    this.opens = asked.has("t") ? -1 : this.at; // where nobody has gone to: Play begins at the beginning
     this.look(by("camera").value);
     this.opened = true;
     if (camera) this.house?.place(camera);
@@ -233,6 +237,7 @@ class Report {
     const read = !this.playing || !this.house?.software || ++this.unread >= kSeldom;
     if (read) this.unread = 0;
     for (const plot of this.plots) plot.now(t, read);
+    if (read) this.crackTables.forEach((table, i) => table && table.now(this.panes[i]?.house.at ?? this.at));
     this.#describe();
     this.#remember();
   }
@@ -247,7 +252,7 @@ class Report {
 
   #overlayOf(pane) {
     const t = this.time(), plan = pane.house.view === "plan";
-    return { names: by("names").checked && !plan, ground: this.mode === null ? pane.groundAt(t) : null, distances: plan, hinges: by("colour").value === "bodies" && this.mode === null ? pane.run.frames.bodies?.hinges(pane.house.at, (e, p) => pane.house.carried(e, p)) : null };
+    return { names: by("names").checked && !plan, loads: this.mode === null ? loadsAt(pane) : null, ground: this.mode === null ? pane.groundAt(t) : null, distances: plan, hinges: by("colour").value === "bodies" && this.mode === null ? pane.run.frames.bodies?.hinges(pane.house.at, (e, p) => pane.house.carried(e, p)) : null };
   }
 
   #overlay(pane) {
@@ -326,7 +331,8 @@ class Report {
       if (this.recorder) this.record(false);
       return this.redraw();
     }
-    if (this.at >= this.last && this.mode === null) this.show(0);
+    if ((this.at >= this.last || this.at === this.opens) && this.mode === null) this.show(0);
+    this.opens = -1;
     let before = performance.now();
     const tick = (now) => {
       const seconds = ((now - before) / 1000) * Number(by("speed").value);

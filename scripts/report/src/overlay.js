@@ -123,13 +123,28 @@ function distanceNames(c, box, base, camera, width, height, u, ink) {
   }
 }
 
-/** Draws all of these that `on` asks for: names, axes, ground (three numbers, m/s²), distances. */
+/** The forces of loads as arrows that end where they act, each with its name and size. */
+function loadArrows(c, loads, camera, width, height, u, ink) {
+  c.font = `600 ${0.85 * u}px ${kType}`, c.textAlign = "center", c.textBaseline = "bottom";
+  for (const { from, to, text } of loads) {
+    const ends = [from, to].map((p) => seen(new Vector3(...p), camera, width, height));
+    if (ends.some((p) => !p)) continue;
+    c.strokeStyle = ink.rim, c.fillStyle = ink.rim, c.lineWidth = 7;
+    arrow(c, ...ends, 1.5 * u);
+    c.strokeStyle = c.fillStyle = ink.load, c.lineWidth = 3.5;
+    arrow(c, ...ends, 1.2 * u);
+    write(c, text, ends[0][0], ends[0][1] - 0.4 * u, { ...ink, text: ink.load });
+  }
+}
+
+/** Draws all of these that `on` asks for: names, axes, ground (three numbers, m/s²), distances, loads. */
 export function drawOverlay(c, house, width, height, u, on, ink) {
   const { camera } = house, facts = house.run.facts;
   camera.updateMatrixWorld();
   if (on.distances && facts.base !== null) distanceNames(c, house, facts.base, camera, width, height, u, ink);
   if (on.names) wallNames(c, facts, camera, width, height, u, ink, house.partly);
   const bottom = height - (on.bottom ?? 0.6 * u), end = axes(c, camera, house.controls.target, 0.6 * u, bottom, u, ink, height);
+  if (on.loads) loadArrows(c, on.loads, camera, width, height, u, ink);
   if (on.ground && facts.base !== null) groundArrow(c, on.ground, camera, end + u, bottom, u, ink);
   for (const { points, slides } of on.hinges ?? []) {
     const ends = points.map((p) => seen(new Vector3(...p), camera, width, height));

@@ -81,7 +81,7 @@ export class Plot {
         const c = order[k], name = curves[c].name + (plots.length > 1 ? ` ${"AB"[run]}` : ""), line = plot.stack && k === shown.length - 1;
         const cut = plot.clip ? clipped(y, plot.clip) : { kept: y, marks: [] };
         this.marks.push(cut.marks.map(([i, sign]) => [t[i], sign]));
-        this.series.push({ label: name, tint: line ? "--text" : `--c${c % 9}`, width: line ? 1.5 : plot.stack ? 0 : 1.25, dash, fill: plot.stack && !line && run === 0 });
+        this.series.push({ label: name, tint: line ? "--text" : `--c${c % 9}`, width: line ? 1.5 : plot.stack ? 0 : 1.25, dash: dash ?? [undefined, [7, 3], [2, 3]][Math.floor(c / 9) % 3], fill: plot.stack && !line && run === 0 });
         this.raw.push([t, curves[c].y]);
         return cut.kept;
       })]);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The figures of the run in words: what matters most, large; the rest in tables; where the numbers come from, folded away.
 import { capacityKeys, capacityTable, limitTable } from "./capacity.js";
+import { storeyTables, tieTables } from "./members.js";
 import { kGrades } from "./timeline.js";
 
 const count = (n) => n.toLocaleString("en");
@@ -15,7 +16,7 @@ const when = (t) => (t === undefined ? "–" : t < 0 ? "never" : seconds(t));
 export function subtitle({ facts }) {
   const m = facts.motion;
   if (!m) return facts.capacity ? `${facts.capacity.kind}, ended by: ${facts.capacity.ended}` : "no ground motion";
-  const scale = new Set(m.scale).size === 1 ? m.scale[0] : m.scale.join(", ");
+  const short = (x) => String(+x.toPrecision(3)), scale = new Set(m.scale).size === 1 ? short(m.scale[0]) : m.scale.map(short).join(", ");
   return [
     m.direction ? `${m.record}, ${m.direction} along x, y, z` : m.record,
     `scale ${scale}`,
@@ -25,7 +26,7 @@ export function subtitle({ facts }) {
 
 /** The rows whose figures are left to chance have a mark. */
 const marked = (m, chance, rows) => rows.map((row) => (row && m?.chance && chance.some((name) => row[0].includes(name)) ? [row[0], `${row[1]} *`, ...row.slice(2)] : row));
-const kChance = ["Fallen mass", "Debris", "95 % of it", "Volume left", "Deepest", "… of", "half a segment", "that touch", "compression", "base shear", "Peak speed"];
+const kChance = ["Fallen mass", "Debris", "95 % of it", "Volume left", "Slip of beams", "… the largest", "… seats lost", "storey drift", "Worst moment", "Deepest", "… of", "half a segment", "that touch", "compression", "base shear", "Peak speed"];
 
 /** How deep bodies were in each other. */
 function penetration(m) {
@@ -49,6 +50,7 @@ function keys({ facts }) {
     g >= 0 && ["Damage grade", `G${g}`, `${kGrades[g]}${g > 0 ? `, from ${g <= m.settling_damage_grade ? "settling" : seconds(m.grade_time[g - 1])}` : ""}`],
     ["Collapse", m?.collapse_time >= 0 ? seconds(m.collapse_time) : (s.collapsed ?? m?.collapsed ? "yes" : "no"), s.finished ? `at the end, ${seconds(s.end_time ?? last)}` : `${s.failure ? "up to where the run was lost" : "so far"}, at ${seconds(s.end_time ?? last ?? 0)}`],
     ["First fall", when(m?.first_fallen_time), m?.first_fallen_wall || (m?.first_fallen_time >= 0 ? "" : "nothing has fallen")],
+    facts.worst && ["Worst moment", seconds(facts.worst.time), `${facts.worst.name}: ${facts.worst.what}`],
     ["Fallen mass", percent(s.fallen_mass_fraction ?? m?.fallen_mass_fraction), (s.first_crack_time ?? m?.first_crack_time) >= 0 ? `first crack ${seconds(s.first_crack_time ?? m.first_crack_time)}` : m?.settling_cracks > 0 ? "cracks from settling alone" : "no crack"],
   ].filter(Boolean));
 }
@@ -63,6 +65,10 @@ function damage({ facts }) {
     m?.debris_reach > 0 && ["… 95 % of it", m.debris_reach_95 > 0 ? `to ${metres(m.debris_reach_95)}` : "inside"],
     m && ["Debris covers", `${m.debris_area.toFixed(1)} m²`],
     m && m.free_volume !== null && ["Volume left under the roof", percent(m.free_volume)],
+    m && m.peak_storey_drift !== null && m.peak_storey_drift !== undefined && ["Largest storey drift along a wall", `${(100 * m.peak_storey_drift).toFixed(2)} %, ${m.peak_storey_drift_wall}`],
+    m?.peak_seat_slip > 0 && ["Slip of beams on walls", `at most ${millimetres(m.peak_seat_slip)} at ${seconds(m.peak_seat_slip_time)}${m.seat_slip === null ? "" : `, ${millimetres(m.seat_slip)} at the end`}`],
+    m?.peak_seat_slip > 0 && ["… the largest", m.peak_seat_slip_place],
+    m?.lost_seats > 0 && ["… seats lost", count(m.lost_seats)],
     ...(m ? penetration(m) : []),
     has("first_tension") && ["Sides reached first: tension", count(s.first_tension)],
     has("first_shear") && ["… shear", count(s.first_shear)],
@@ -137,6 +143,9 @@ export function showSummary(top, rest, folded, runs) {
   if (runs.some((run) => run.facts.limit)) table(rest, runs.length > 1 ? ["", "A", "B"] : null, both(runs, limitTable).map(mark), "Second opinion: limit analysis");
   table(rest, runs.length > 1 ? ["", "A", "B"] : null, both(runs, damage).map(mark), "Damage");
   runs.forEach((run, i) => run.facts.measures?.walls.length > 0 && partsTable(rest, run.facts.measures, runs.length > 1 ? `Walls and roof, ${"AB"[i]}` : "Walls and roof"));
+  runs.forEach((run, i) => {
+    for (const [caption, head, rows] of [...storeyTables(run.facts.measures), ...tieTables(run.facts.measures)]) table(rest, head, rows, runs.length > 1 ? `${caption}, ${"AB"[i]}` : caption);
+  });
   runs.forEach((run, i) => {
     const note = run.facts.measures?.chance?.note;
     if (note) rest.appendChild(Object.assign(document.createElement("p"), { className: "chance", textContent: `* ${runs.length > 1 ? `${"AB"[i]}: ` : ""}${note}` }));

@@ -14,7 +14,7 @@ function add(parent, className, text, left, width) {
 /** Moments worth a tick: [name, time]. */
 export function moments(facts) {
   const m = facts.measures, s = facts.summary;
-  return [["first crack", s.first_crack_time ?? m?.first_crack_time], ["first fall", m?.first_fallen_time], ["collapse", m?.collapse_time]].filter(([, t]) => t !== undefined && t !== null && t >= 0);
+  return [["first crack", s.first_crack_time ?? m?.first_crack_time], ["first fall", m?.first_fallen_time], ["collapse", m?.collapse_time], [facts.worst?.name, facts.worst?.name === "collapse" ? -1 : facts.worst?.time], ["roof falls", m?.collapse_time >= 0 ? -1 : m?.roof_first_fallen_time]].filter(([, t]) => t !== undefined && t !== null && t >= 0);
 }
 
 /** Fills `bands` and `ticks`, which lie over the slider from `from` to `until`; a tick shows its moment. */

@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <regex>
+#include <sstream>
 #include <vector>
 
 #include "cases/input_error.h"
@@ -24,6 +26,17 @@ void check_command_word(const CLI::App& app, const std::string& word) {
   const std::string near = cases::nearest(word, names);
   throw cases::InputError("",
                           "\"" + word + "\" is no command" + (near.empty() ? "" : "; is \"" + near + "\" meant?") + "; allowed: " + all);
+}
+
+void suggest_value(const std::string& message) {
+  static const std::regex refused(R"(^(.+): (\S+) not in \{(.+)\})");
+  std::smatch parts;
+  if (!std::regex_search(message, parts, refused)) return;
+  std::vector<std::string> names;
+  std::istringstream list(parts[3].str());
+  for (std::string name; std::getline(list, name, ',');) names.push_back(name);
+  if (const std::string near = cases::nearest(parts[2].str(), names); !near.empty())
+    std::fprintf(stderr, "%s %s: did you mean %s?\n", parts[1].str().c_str(), parts[2].str().c_str(), near.c_str());
 }
 
 void suggest_option(const CLI::App& program, const std::vector<std::string>& words) {

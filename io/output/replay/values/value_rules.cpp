@@ -8,7 +8,7 @@ namespace {
 constexpr std::string_view kElements = "/model/element/mass", kVertices = "/model/vertex", kFaces = "/model/face/element",
                            kCorners = "/model/face/corners", kJoints = "/model/joint/area", kMaterials = "/model/material/density",
                            kLaws = "/model/law/tension", kCells = "/model/cell_type", kFrames = "/frames/time", kCracks = "/cracks/time",
-                           kWalls = "/summary/wall/name", kTies = "/model/tie";
+                           kWalls = "/summary/wall/name", kTies = "/model/tie", kMeshes = "/model/mesh", kLoads = "/loads/element", kTieGroups = "/summary/tie/name";
 
 std::vector<ValueRule> rules_of_model() {
   using enum Values;
@@ -43,7 +43,9 @@ std::vector<ValueRule> rules_of_model() {
           {"/model/material/", {kMaterials}},
           {"/model/law/", {kLaws}},
           {"/model/tie_ends", {kTies, "6"}},
-          {"/model/tie_element", {kTies, "2"}, index, kElements, -1}};
+          {"/model/tie_element", {kTies, "2"}, index, kElements, -1},
+          {"/model/tie_strength", {kTies}, any},
+          {"/model/mesh_bars", {kMeshes}, positive}};
 }
 
 std::vector<ValueRule> rules_of_rows() {
@@ -64,7 +66,15 @@ std::vector<ValueRule> rules_of_rows() {
           {"/cracks/", {kCracks}, row},
           {"/history/time", {"/history/time"}, time},
           {"/history/", {"/history/time"}, row},
-          {"/ties/", {"/history/time"}, row},
+          {"/ties/force", {"/history/time", kTies}, row},
+          {"/ties/elongation", {"/history/time", kTies}, row},
+          {"/ties/plastic", {"/history/time", kTies}, row},
+          {"/ties/broken", {"/history/time", kTies}, row},
+          {"/meshes/force", {"/history/time", kMeshes}, row},
+          {"/meshes/elongation", {"/history/time", kMeshes}, row},
+          {"/meshes/utilisation", {"/history/time", kMeshes}, any},
+          {"/meshes/yielded", {"/history/time", kMeshes}, row},
+          {"/meshes/broken", {"/history/time", kMeshes}, row},
           {"/acceleration/time", {"/acceleration/time"}, time},
           {"/acceleration/", {"/acceleration/time"}, row},
           {"/energy/time", {"/energy/time"}, time},
@@ -82,10 +92,19 @@ std::vector<ValueRule> rules_of_rows() {
           {"/motion/factor", {"1"}},
           {"/motion/time", {"/motion/time"}, time},
           {"/motion/", {"/motion/time"}},
+          {"/loads/load", {kLoads}, index, "1000000000"},
+          {"/loads/element", {kLoads}, index, kElements},
+          {"/loads/point", {kLoads, "3"}},
+          {"/loads/follows", {kLoads}, index, "2"},
+          {"/loads/grows", {kLoads}, index, "2"},
+          {"/loads/first_row", {kLoads}, start, "/loads/time"},
+          {"/loads/time", {"/loads/time"}},
+          {"/loads/force", {"/loads/time", "3"}},
           {"/measures/time", {"/measures/time"}, time},
           {"/measures/damage_grade", {"/measures/time"}, index, "6", -1},
           {"/measures/", {"/measures/time"}, any},
-          {"/summary/wall/", {kWalls}, any}};
+          {"/summary/wall/", {kWalls}, any},
+          {"/summary/tie/", {kTieGroups}, any}};
 }
 
 }  // namespace

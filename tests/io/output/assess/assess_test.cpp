@@ -158,7 +158,25 @@ TEST_CASE("assess: widths of a crack that opens by 1 mm and slides by 2 mm; its 
   }
   CHECK(assessed(file, {}, {}).walls[0].cracks.joints == 0);   // under a hair crack's width
   CHECK(assessed(file, 0.0, {}).walls[0].cracks.joints == 0);  // not open yet
-  const std::string map = crack_map(file, "wall", building, 0, a.time, a.joints, a.fallen);
+  // Left and right of the window, which is 2.0 m from the left end and 1.0 m wide.
+  REQUIRE(a.cracks.size() == 2);
+  const std::size_t left = a.cracks[0].along[0] < 1.0 ? 0 : 1;
+  for (const std::size_t i : {left, 1 - left}) {
+    const Crack& crack = a.cracks[i];
+    CHECK(crack.wall == 0);
+    CHECK(crack.along[0] == doctest::Approx(i == left ? 0.0 : 3.0));
+    CHECK(crack.along[1] == doctest::Approx(i == left ? 2.0 : 5.4));
+    CHECK(crack.z[0] == doctest::Approx(kBed));
+    CHECK(crack.z[1] == doctest::Approx(kBed));
+    CHECK(crack.length == doctest::Approx(i == left ? 2.0 : 2.4));
+    CHECK(crack.width == doctest::Approx(f.largest).epsilon(1e-3));
+    CHECK(crack.peak == doctest::Approx(f.largest).epsilon(1e-3));
+    CHECK(crack.peak_time == 1.0);
+    CHECK(crack.at_end == doctest::Approx(0.05e-3).epsilon(2e-2));
+  }
+  CHECK(nlohmann::json::parse(assessment_json(a, {}, {}))["cracks"].size() == 2);
+  const std::string map = crack_map(file, "wall", building, 0, a.time, a.joints, a.fallen, a.cracks);
+  for (const char* label : {">1: 2.2<", ">2: 2.2<"}) CHECK(count(map, label) == 1);
   const std::string colour = std::string("stroke=\"") + kCrackClasses[2].colour;  // 1 to 5 mm
   CHECK(count(map, colour) == 1 + [&] {
     std::size_t on_face = 0;  // one edge a joint lies on the outer face, and one in the legend
@@ -188,7 +206,7 @@ TEST_CASE("assess: the slip of beams on a wall is no crack of the wall, in table
     CHECK(a.walls[w].parted == 0);
     seats += a.walls[w].seats.joints;
     if (a.walls[w].seats.joints > 0) CHECK(a.walls[w].seats.largest == doctest::Approx(0.154).epsilon(1e-4));
-    const std::string map = crack_map(file, "house", building_of(file), static_cast<std::int32_t>(w), a.time, a.joints, a.fallen);
+    const std::string map = crack_map(file, "house", building_of(file), static_cast<std::int32_t>(w), a.time, a.joints, a.fallen, a.cracks);
     CHECK(map.find("widest") == std::string::npos);
     CHECK(count(map, std::string("stroke=\"") + kCrackClasses[5].colour) == 1);  // the legend's
   }
@@ -216,7 +234,7 @@ TEST_CASE("assess: what has parted by more than a crack's width is told apart; t
   CHECK(parted.walls[0].parted == bed);
   CHECK(parted.walls[0].cracks.joints == 0);
   CHECK(parted.walls[0].cracks.largest == 0.0);
-  const auto map = [&](const Assessment& a) { return crack_map(file, "wall", building_of(file), 0, a.time, a.joints, a.fallen); };
+  const auto map = [&](const Assessment& a) { return crack_map(file, "wall", building_of(file), 0, a.time, a.joints, a.fallen, a.cracks); };
   CHECK(map(cracked).find("; widest 17.00 mm<") != std::string::npos);
   CHECK(assessment_text(cracked, {}, {}).find(" 17.00 ") != std::string::npos);
   CHECK(map(parted).find("widest") == std::string::npos);
@@ -254,10 +272,10 @@ TEST_CASE("assess: out of plane over the thickness, storey drift, what has falle
       fallen += moved && gone.fallen[e] != 0 ? 1U : 0U;
     }
     CHECK(fallen > 10);
-    const std::string map = crack_map(file, "wall", building_of(file), 0, gone.time, gone.joints, gone.fallen);
+    const std::string map = crack_map(file, "wall", building_of(file), 0, gone.time, gone.joints, gone.fallen, gone.cracks);
     CHECK(count(map, "#c9c9c9") > 10);
   }
-  CHECK(count(crack_map(file, "wall", building_of(file), 0, a.time, a.joints, a.fallen), "#c9c9c9") <= 1);
+  CHECK(count(crack_map(file, "wall", building_of(file), 0, a.time, a.joints, a.fallen, a.cracks), "#c9c9c9") <= 1);
   REQUIRE(assessed(file, 2.0, {0.0, 2.4, 2.4}).storeys.size() == 1);
   CHECK_THROWS_AS((void)assessed(file, 2.0, {0.0, 5.2}), cases::InputError);  // above the walls
   CHECK_THROWS_AS((void)assessed(file, 99.0, {}), cases::InputError);         // after the last frame
