@@ -88,6 +88,7 @@ std::optional<Capacity> capacity_asked(const Hdf5File& run, const AssessOptions&
 int assess(const AssessOptions& o) {
   now_doing("reading the results");
   std::filesystem::is_directory(o.folder) ? note_run(o.folder) : note_input(o.folder);
+  if (const std::string file = demand_file(o.demand); !file.empty()) note_input(file);
   const Hdf5File run = open_run(o.folder);
   note_state(run);
   const cases::Case c = case_of_run(run);

@@ -184,6 +184,7 @@ int limit(const LoadedCase& c, const LimitCommandOptions& o, int threads) {
         "voussoir: limit: this program was built without Clp, which it needs (Debian: coinor-libclp-dev; CMake: -DVOUSSOIR_CLP=ON)\n");
     return kInputFault;
   }
+  if (const std::string file = demand_file(o.demand); !file.empty()) note_input(file);
   check_output(mechanism_of(o));
   LimitQuestion asked{c.value.title, "", {live_load(o, c.value), o.facets, o.outer, {}}, {}};
   asked.kinematic = kinematic_question(o, asked.options.live);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <limits>
 #include <numbers>
+#include <system_error>
 
 #include "cases/input_error.h"
 #include "io/input/motion/formats/read_motion.h"
@@ -38,6 +39,15 @@ std::optional<double> displacement_at(const DemandSpectrum& d, double period, do
   const std::optional<double> a = acceleration_at(d, period, damping);
   if (!a) return {};
   return *a * squared(period / (2.0 * std::numbers::pi));
+}
+
+std::string demand_file(const std::string& words) {
+  const std::string start(kRecord);
+  if (is_eurocode8(words)) return {};
+  if (!words.starts_with(start)) return words;
+  std::error_code error;
+  const std::string path = words.substr(start.size());
+  return std::filesystem::exists(path, error) ? path : path.substr(0, path.rfind('#'));
 }
 
 DemandSpectrum read_demand(const std::string& words, double damping, std::optional<double> corner, const std::optional<std::string>& unit,

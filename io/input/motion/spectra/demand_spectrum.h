@@ -29,6 +29,9 @@ inline std::optional<double> acceleration_at(const DemandSpectrum& d, double per
 /// Spectral displacement [m]: acceleration_at (T/2π)².
 std::optional<double> displacement_at(const DemandSpectrum& d, double period, double damping);
 
+/// The file that the words of read_demand name; empty: none.
+std::string demand_file(const std::string& words);
+
 /// A spectrum from words: "ec8:TYPE:GROUND:AG", "record:FILE" (one component of a file of any format of ground motion, as FILE#NAME where
 /// it has several), or a file of periods and accelerations (read_target). \param corner  T_C [s]; none: that of EN 1998-1 \param unit  of a
 /// file that does not state it \param option  that names it, for faults \throw cases::InputError at the option, also where T_C is not

@@ -163,6 +163,9 @@ TEST_CASE("assess: a pushover against a spectrum, and what it has to say where i
   w.folder.write("s.csv", "0.01, 2\n3.0, 2\n");
   CHECK(w.run("assess out --demand s.csv").text.find("the unit of acceleration is not stated") != std::string::npos);
   CHECK(w.run("assess out --demand s.csv --unit m/s2 --corner-period 0.4").text.find("T_C 0.40 s") != std::string::npos);
+  const std::string over = "--demand s.csv --unit m/s2 --corner-period 0.4 --spectra s.csv --overwrite";
+  CHECK(w.run("assess out " + over).code == 3);  // its own input
+  CHECK(shell::text_of(w.folder.path("s.csv")) == "0.01, 2\n3.0, 2\n");
   const shell::Outcome unknown = w.run("assess out --demand ec8:1:Q:0.2g");
   CHECK(unknown.code == 2);
   CHECK(unknown.text.find("--demand: 'ec8:1:Q:0.2g': no ground 'Q'; allowed: ec8:TYPE:GROUND:AG") != std::string::npos);
