@@ -94,7 +94,7 @@ void print_subject(const cases::Census& census, const solver::World& w) {
   std::printf("elements                 %s\n", format_count(census.elements).c_str());
   std::printf("joints                   %s, in %zu tasks of %zu colours\n", format_count(census.joints + census.base_joints).c_str(),
               w.sides.task_first.size() - 1, w.sides.colour_first.size() - 1);
-  std::printf("segment sides            %s\n", format_count(census.joint_sides).c_str());
+  std::printf("contact points           %s\n", format_count(census.joint_sides).c_str());
   std::printf("joints now               %s whole, %s open, %s damaged (%s of them steady) with %s segments; %s patches near others\n",
               format_count(n.whole).c_str(), format_count(n.open).c_str(), format_count(n.damaged).c_str(), format_count(n.steady).c_str(),
               format_count(n.points).c_str(), format_count(n.contacts).c_str());

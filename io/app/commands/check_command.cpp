@@ -71,7 +71,7 @@ double degrees(double tangent) { return std::atan(tangent) * 180.0 / std::number
 void print_levers(const cases::Case& c, const cases::Model& m) {
   const std::vector<cases::Lever> levers = cases::levers(c, m);
   for (const cases::Lever& l : levers) {
-    std::printf("levers                   %s of %.3g m: %.3g segments across, short by %.3g %%", l.joint < 0 ? "walls" : "coarsest joint",
+    std::printf("lever arms of joints     %s of %.3g m: %.3g segments across, short by %.3g %%", l.joint < 0 ? "walls" : "coarsest joint",
                 l.width, l.segments, 100.0 * l.short_by());
     if (l.joint < 0) {
       const double slope = l.width / l.height;
@@ -80,7 +80,7 @@ void print_levers(const cases::Case& c, const cases::Model& m) {
     }
     std::printf("\n");
   }
-  if (c.segment_rule == geometry::SegmentRule::rim) std::printf("levers                   exact\n");
+  if (c.segment_rule == geometry::SegmentRule::rim) std::printf("lever arms of joints     exact\n");
   if (!levers.empty()) std::printf("                         segments.rule = \"rim\" has exact ones\n");
 }
 
@@ -181,9 +181,9 @@ void print_step(const cases::Census& n, const cases::Model& m, const solver::Wor
   if (n.step_element < 0) return;
   const double dt = w.dt;
   const auto e = static_cast<std::size_t>(n.step_element);
-  std::printf("\nstep bound (Eq. 19)      %.4g s, from face %d of %s\n", n.step_bound, n.step_face,
+  std::printf("\nlargest stable step      %.4g s, from face %d of %s\n", n.step_bound, n.step_face,
               cases::describe(m.blocks[e], e).c_str());
-  std::printf("step                     %.4g s%s\n", dt, dt > n.step_bound ? ", above its bound: the run may diverge" : "");
+  std::printf("step                     %.4g s%s\n", dt, dt > n.step_bound ? ", more than that: the run may diverge" : "");
   print_restitution(n, m, w);
   const solver::Multirate& rates = w.multirate;
   if (rates.wanted == 1) return;
@@ -311,9 +311,9 @@ int check(const LoadedCase& c, const CheckOptions& o, int threads) {
   const cases::Census n = cases::census(model);
   std::printf("%s\n\n", c.value.title.c_str());
   std::printf("elements                 %s\n", format_count(n.elements).c_str());
-  std::printf("joints                   %s, and %s with the base; %s of them merged\n", format_count(n.joints).c_str(),
-              format_count(n.base_joints).c_str(), format_count(n.merged_joints).c_str());
-  std::printf("segment sides in joints  %s, and %s free segments\n", format_count(n.joint_sides).c_str(),
+  std::printf("joints                   %s, and %s with the base; in %s of them both faces share their contact points\n",
+              format_count(n.joints).c_str(), format_count(n.base_joints).c_str(), format_count(n.merged_joints).c_str());
+  std::printf("contact points of joints %s, and %s of free faces\n", format_count(n.joint_sides).c_str(),
               format_count(n.free_segments).c_str());
   std::printf("volume, mass             %.4f m3, %.1f kg\n", n.volume, n.mass);
   print_stones(c.value);

@@ -128,7 +128,7 @@ void print_impulse(const cases::Case& c, const cases::Model& model, const std::v
   std::printf("%-16s %14.3f %14.3f\n", "eigenvalue", dominant(modes, 0).frequency, dominant(modes, 1).frequency);
   const std::int64_t broken = response[0].broken + response[1].broken;
   if (broken > 0)
-    std::printf("warning: %lld segment sides broke or slipped under the impulse: its frequencies are not the sound house's\n",
+    std::printf("warning: %lld contact points of joints broke or slipped under the impulse: its frequencies are not the sound house's\n",
                 static_cast<long long>(broken));
 }
 

@@ -95,7 +95,8 @@ std::string millimetres(double x) { return text("%.3f mm", 1e3 * x); }
 std::string counts(const Json& s, const std::string& prefix) {
   std::string value;
   for (const char* mode : {"tension", "shear", "compression"})
-    value += (value.empty() ? "" : ", ") + std::to_string(s[prefix + mode].get<std::int64_t>()) + " in " + mode;
+    value += (value.empty() ? "" : ", ") + std::to_string(s[prefix + mode].get<std::int64_t>()) + (value.empty() ? " points in " : " in ") +
+             mode;
   return value;
 }
 
@@ -130,7 +131,7 @@ void print_origin(const Json& s, const Measures& m) {
   line("broken by settling", std::to_string(m.settling_cracks) + " segments, the first at " + text("%.3f s", m.settling_first_crack_time) +
                                  "; by the shaking " + std::to_string(m.shaking_cracks));
   if (s.contains("settling_tension"))
-    line("sides of settling", counts(s, "settling_") + "; " + std::to_string(s["settling_slipped"].get<std::int64_t>()) + " slipped");
+    line("points of settling", counts(s, "settling_") + "; " + std::to_string(s["settling_slipped"].get<std::int64_t>()) + " slipped");
 }
 
 void print_walls(const Measures& m) {
@@ -152,9 +153,9 @@ void print_walls(const Measures& m) {
 /// Prints segment sides by the limit that they reached first and by the mode that opened them; a run of an earlier version has only the
 /// latter.
 void print_modes(const Json& s) {
-  if (s.contains("first_tension")) line("sides reached first", counts(s, "first_"));
+  if (s.contains("first_tension")) line("joints failed first", counts(s, "first_"));
   if (!s.contains("tension")) return;
-  line("sides opened by", counts(s, "") + "; " + std::to_string(s["slipped"].get<std::int64_t>()) + " hold and have slipped");
+  line("joints opened", counts(s, "") + "; " + std::to_string(s["slipped"].get<std::int64_t>()) + " have slipped and hold");
 }
 
 /// Prints the progress of the run, and why it ended early.

@@ -64,7 +64,7 @@ std::string format_progress(const ProgressState& state, double steps_per_second,
   line += "  " + (steps_per_second < 10 ? printed("%.2g", steps_per_second) : format_count(speed)) + " steps/s";
   if (!at_rest) line += "  " + (seconds_left ? format_duration(*seconds_left) + " left" : std::string("time left unknown"));
   line += "  " + format_count(state.broken) + " broken";
-  return line + printed("  residual %.1e", state.residual);
+  return line + printed("  energy error %.1e", state.residual);
 }
 
 Progress::Mode Progress::mode_for(int descriptor, bool quiet) {

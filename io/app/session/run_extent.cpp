@@ -32,7 +32,7 @@ double settling(const cases::Case& c) { return c.gravity.settle ? c.gravity.ramp
   throw cases::InputError("materials." + material.name + ".young",
                           "= " + cases::text(material.value.young) + " Pa, with density = " + cases::text(material.value.density) +
                               " kg/m3 and the size of " + cases::describe(block, element) + ", makes a step of " + cases::text(dt) +
-                              " s (Eq. 19), and " + so_many);
+                              " s, the largest stable one, and " + so_many);
 }
 
 void refuse_steps(const cases::Case& c, const cases::Model& model, double dt) {

@@ -52,18 +52,18 @@ void print_summary(const solver::Summary& s, std::uint64_t hash, const std::stri
   if (s.settling.first_crack_time < 0.0) std::printf("while settling, at %.3f s; of the shaking ", s.settling.first_crack_time);
   s.first_crack_time >= 0.0 ? std::printf("%.3f s\n", s.first_crack_time) : std::printf(stopped ? "none so far\n" : "none\n");
   const auto by_mode = [](const char* what, std::int64_t tension, std::int64_t shear, std::int64_t compression) {
-    std::printf("%-20s %s in tension, %s in shear, %s in compression", what, format_count(tension).c_str(), format_count(shear).c_str(),
-                format_count(compression).c_str());
+    std::printf("%-20s %s points in tension, %s in shear, %s in compression", what, format_count(tension).c_str(),
+                format_count(shear).c_str(), format_count(compression).c_str());
   };
-  by_mode("sides reached first", s.first.tension, s.first.shear, s.first.compression);
+  by_mode("joints failed first", s.first.tension, s.first.shear, s.first.compression);
   std::printf("\n");
-  by_mode("sides opened by", s.tension, s.shear, s.compression);
-  std::printf("; %s hold and have slipped\n", format_count(s.slipped).c_str());
+  by_mode("joints opened", s.tension, s.shear, s.compression);
+  std::printf("; %s have slipped and hold\n", format_count(s.slipped).c_str());
   by_mode("of them settling", s.settling.tension, s.settling.shear, s.settling.compression);
-  std::printf("; %s held and had slipped\n", format_count(s.settling.slipped).c_str());
+  std::printf("; %s had slipped and held\n", format_count(s.settling.slipped).c_str());
   std::printf("peak base shear      %.1f kN\n", 1e-3 * s.peak_base_shear);
   std::printf("peak speed           %.2f m/s\n", s.peak_speed);
-  std::printf("energy residual      %.2g at worst\n", s.worst_residual);
+  std::printf("energy error         %.2g at worst, of all energy\n", s.worst_residual);
   std::printf("state hash           %016llx\n", static_cast<unsigned long long>(hash));
   if (!s.settled && s.end_time >= 0.0) std::printf("warning              gravity did not come to rest before the shaking began\n");
   std::printf("results              %s/run.h5 (to %.3f s)\n", folder.c_str(), s.end_time);

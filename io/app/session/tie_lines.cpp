@@ -36,7 +36,7 @@ void print_ties(const cases::Model& model) {
   const std::size_t own = cases::own_ties(model);
   for (std::size_t i = 0; i < std::min(own, kMostLines); ++i) {
     const cases::TieBar& t = model.ties[i];
-    std::printf("%-24s %s: %.3f m, %.3g N/m, holds %zu and %zu elements", i == 0 ? "ties" : "", t.name.c_str(), t.length, t.stiffness,
+    std::printf("%-24s %s: %.3f m, %.3g N/m, anchored in %zu and %zu elements", i == 0 ? "ties" : "", t.name.c_str(), t.length, t.stiffness,
                 t.ends[0].size(), t.ends[1].size());
     if (std::isfinite(t.yield)) std::printf(", yields at %.3g kN", 1e-3 * t.yield);
     std::printf("\n");

@@ -29,17 +29,18 @@ Table<Gravity> gravity_table() {
 
 Table<Time> time_table() {
   using S = Time;
-  return {"time step and duration",
-          {auto_or_number<S>("step", &S::step, "s", above(0.0).usually(usual::kStep),
-                             "time step; auto: the largest <= 0.995 x Eq. 19 that divides history_interval"),
-           value<S>("duration", &S::duration, "s", within(0.0, kLongestRun).usually(usual::kDuration), "of the run, after settling"),
-           value<S>("after_collapse", &S::after_collapse, "s", at_least(0.0).usually(usual::kWait),
-                    "the run ends so long after the first frame in which the building has collapsed; none: at its duration"),
-           choice<S, int S::*, int>("multirate", &S::multirate, "", {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}},
-                                    "steps from one evaluation of the slowest pairs of elements to the next: pairs that allow it are "
-                                    "evaluated once in so many steps, in half as many, ...; 1: all in every step, as in the paper; of time "
-                                    "histories alone")},
-          nullptr};
+  return {
+      "time step and duration",
+      {auto_or_number<S>("step", &S::step, "s", above(0.0).usually(usual::kStep),
+                         "time step; auto: the largest that divides history_interval and is at most 0.995 of the stability limit (Eq. 19)"),
+       value<S>("duration", &S::duration, "s", within(0.0, kLongestRun).usually(usual::kDuration), "of the run, after settling"),
+       value<S>("after_collapse", &S::after_collapse, "s", at_least(0.0).usually(usual::kWait),
+                "the run ends so long after the first frame in which the building has collapsed; none: at its duration"),
+       choice<S, int S::*, int>("multirate", &S::multirate, "", {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}},
+                                "steps from one evaluation of the slowest pairs of elements to the next: pairs that allow it are "
+                                "evaluated once in so many steps, in half as many, ...; 1: all in every step, as in the paper; of time "
+                                "histories alone")},
+      nullptr};
 }
 
 /// Key `frequency`: a number in Hz, or "auto" for the model's own frequency.

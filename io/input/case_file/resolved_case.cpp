@@ -50,14 +50,15 @@ std::string key_reference_markdown() {
   lines.markdown = true;
   lines.out =
       "# Keys of a case file\n\n"
-      "Made by `voussoir keys --markdown` from the option table that reads the files; do not edit. `[[...]]` may stand several times, "
+      "Made by `voussoir keys --markdown` from the option table that reads the files; do not edit. *Eq. n* is an equation of the method's "
+      "paper ([THEORY](../kernels/THEORY.md)). `[[...]]` may stand several times, "
       "`<name>`\n"
       "is the user's own. `none`: without a value. SI units, z up, degrees. Beside these keys, `include` at the top names a ready case or "
       "a\n"
       "`.toml` file, or an array of them: read first; the case lies over them, key by key. Arrays of tables (`[[...]]`) are replaced as a\n"
       "whole. `KEY = []` takes away what they brought: all openings (`opening = []` in `[house]`), all followed points (`history = []` in\n"
       "`[output]`), a table (`reinforcement = []`), or a single value, which has its default again; `--set KEY=` does so on the command "
-      "line.\n\n";
+      "line.\n*Eq. n* is an equation of the method's paper, told in [THEORY](../kernels/THEORY.md).\n\n";
   list_table(case_table(), lines, {});
   return std::move(lines.out);
 }

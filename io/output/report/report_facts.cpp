@@ -126,10 +126,10 @@ void add_sides(const Hdf5File& file, const char* title, const std::string& prefi
 
 /// Adds plots of broken sides and of energy: input of ground and gravity against stored and lost energy.
 void add_tables(const Hdf5File& file, std::vector<Plot>& plots) {
-  add_sides(file, "Segment sides by what opened them; those that have slipped and hold", "", {"tension", "shear", "compression", "slipped"},
-            plots);
+  add_sides(file, "Contact points of joints by what opened them; those that have slipped and hold", "",
+            {"tension", "shear", "compression", "slipped"}, plots);
   if (file.exists("/damage/first_shear"))
-    add_sides(file, "Segment sides by the limit they reached first", "first_", {"tension", "shear", "compression"}, plots);
+    add_sides(file, "Contact points of joints by how they failed first", "first_", {"tension", "shear", "compression"}, plots);
   std::vector<Curve> energy;
   const auto time = file.read<double>("/energy/time");
   std::vector<double> given = file.read<double>("/energy/input"), gravity = file.read<double>("/energy/gravity");

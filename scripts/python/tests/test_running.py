@@ -24,10 +24,10 @@ LONG = 300.0  # s of two blocks: some seconds of computing, so that a run is sti
 
 class Running(InAFolder):
     def test_lines_of_progress(self):
-        seen = commands.parse_progress("3.214 of 10 s  12,345 steps/s  2 min 10 s left  1,234 broken  residual 1.2e-06")
+        seen = commands.parse_progress("3.214 of 10 s  12,345 steps/s  2 min 10 s left  1,234 broken  energy error 1.2e-06")
         self.assertEqual((seen.time, seen.end, seen.settling, seen.steps_per_second, seen.left, seen.broken, seen.residual),
                          (3.214, 10.0, False, 12345.0, "2 min 10 s left", 1234, 1.2e-06))
-        self.assertEqual(commands.parse_progress("settling, -0.500 s  12 steps/s  time left unknown  0 broken  residual 0.0e+00").time, -0.5)
+        self.assertEqual(commands.parse_progress("settling, -0.500 s  12 steps/s  time left unknown  0 broken  energy error 0.0e+00").time, -0.5)
         self.assertIsNone(commands.parse_progress("voussoir: warning: something else"))
 
     def test_warnings_of_the_program_are_warnings_of_python(self):

@@ -17,7 +17,7 @@ from .program import program
 
 Word = str | os.PathLike[str] | float  # of the command line
 
-_PROGRESS = re.compile(r"(?:(settling), (-?[\d.]+) s|(-?[\d.]+) of (\S+) s)  (\S+) steps/s  (.*?)  ([\d,]+) broken  residual (\S+)")
+_PROGRESS = re.compile(r"(?:(settling), (-?[\d.]+) s|(-?[\d.]+) of (\S+) s)  (\S+) steps/s  (.*?)  ([\d,]+) broken  energy error (\S+)")
 
 
 @dataclass(frozen=True)

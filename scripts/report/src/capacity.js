@@ -14,7 +14,7 @@ export function capacityKeys(c) {
   if (c.kind === "settlement") return [["Fell after", is(c.collapse_movement) ? `${c.collapse_movement.toFixed(3)} m` : "never", "movement of a support"]];
   if (c.kind === "cyclic") return [["Load factors", `${c.least_factor.toFixed(2)} … ${c.multiplier.toFixed(2)}`, `${c.loops?.length ?? 0} whole cycles`], ["Lost in the loops", fixed(c.dissipated, 1, "J"), `of ${fixed(c.loop_area, 1, "J")} put in`]];
   return [
-    [c.kind === "tilt" ? "Multiplier" : "Load factor", fixed(c.multiplier_at_rest, 4, ""), `at rest, ${rate(c)}`],
+    [c.kind === "tilt" ? "Multiplier" : "Load factor", fixed(c.multiplier_at_rest, 4, ""), `without inertia and damping, ${rate(c)}`],
     ["Base shear", kilonewtons(c.peak_shear), `largest, at ${millimetres(c.peak_displacement)}`],
     ["Ultimate", millimetres(c.ultimate_displacement), is(c.ultimate_drift) ? `drift ${percent(c.ultimate_drift)}` : "not reached"],
     ["First stiffness", stiffness(c.first_stiffness), "at 15 % of the peak"],
@@ -52,7 +52,7 @@ export function capacityTable({ facts }) {
     [`… ${i + 1} viscous damping`, percent(l.viscous_damping, 1)],
   ]);
   const grows = c.kind === "cyclic" ? loops : [...named(bilinear(c, "ec8", "EC 8"), "EC 8"), ...named(bilinear(c, "ntc", "NTC 2018"), "NTC"), ...demandRows(c.performance), ["At the peak", c.mechanism.join("; ")], ["At the end", c.mechanism_at_end.join("; ")]];
-  return [["Borne by motion", percent(c.motion_share)], ["Kinetic energy over work", percent(c.kinetic_share)], ...grows];
+  return [["Borne by inertia and damping", percent(c.motion_share)], ["Kinetic energy over work", percent(c.kinetic_share)], ...grows];
 }
 
 /** Limit analysis of the same case, and why it may differ: [name, value]. */
@@ -60,7 +60,7 @@ export function limitTable({ facts }) {
   const l = facts.limit;
   if (!l) return [];
   return [
-    ["This run, at rest", fixed(facts.capacity.multiplier_at_rest, 4, "")],
+    ["This run, without inertia", fixed(facts.capacity.multiplier_at_rest, 4, "")],
     ["Limit analysis, Coulomb", is(l.coulomb) ? fixed(l.coulomb, 4, "") : "not computed"],
     ["… associated flow", fixed(l.associated, 4, "")],
     ...l.reasons.map((reason, i) => [i ? `… ${i + 1}` : "Why they may differ", reason]),

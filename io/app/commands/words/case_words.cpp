@@ -71,7 +71,7 @@ void add_short_keys(CLI::App& command, CaseWords& w) {
   command.add_option("--motion", w.motion, "AXIS=FILE ...: files of ground motion, behind CASE: L=A.AT2 T=B.AT2 V=C.AT2, or x, y, z");
   command.add_option("--scale", w.scale, "factor on the motion, or [L, T, V]");
   command.add_option("--duration", w.duration, "of shaking, s");
-  command.add_option("--dt", w.dt, "step in s, or auto (Eq. 19)");
+  command.add_option("--dt", w.dt, "step in s, or auto: the largest stable one");
   command.add_option("--frames", w.frames, "interval of frames, s");
 }
 

@@ -190,12 +190,12 @@ std::string capacity_text(const Capacity& c) {
                  1e2 * c.fallen_before);
   const char* name = c.kind == AnalysisKind::tilt ? "multiplier" : "largest load factor";
   text += c.kind == AnalysisKind::cyclic ? line(name, "%.4f", c.multiplier)
-                                         : line(name, "%.4f; borne at rest %.4f, at %.3f mm of the control point", c.multiplier,
+                                         : line(name, "%.4f; %.4f of it static, at %.3f mm of the control point", c.multiplier,
                                                 c.multiplier_at_rest, 1e3 * c.multiplier_displacement);
   text += !std::isnan(c.unbalanced)
               ? line("equilibrium", "%zu states of rest, unbalanced by at most %.1e of an element's mean weight", c.curve.time.size(),
                      c.unbalanced)
-              : line("rate", "%.2g of that was borne by motion, kinetic energy at most %.2g of the work: %s", c.motion_share,
+              : line("rate", "%.2g of that was borne by inertia and damping, kinetic energy at most %.2g of the work: %s", c.motion_share,
                      c.kinetic_share, is_slow(c) ? "slow enough" : "the result depends on the rate; try a larger analysis.pace");
   if (c.kind == AnalysisKind::cyclic) {
     text += line("the other way", "%.4f", c.least_factor);

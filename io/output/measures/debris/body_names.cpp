@@ -36,7 +36,7 @@ const char* along_z(Vec3 u) { return u.z < 0 ? "sinks" : "rises"; }
 std::string motion_of(const Body& b, const Wall* w) {
   const Vec3 u = b.displacement, r = b.rotation;
   const double size = std::max({b.box.size(0), b.box.size(1), b.box.size(2)});
-  if (norm(u) + 0.5 * size * norm(r) < kStill) return "stands";
+  if (norm(u) + 0.5 * size * norm(r) < kStill) return "stays in place";
   if (u.z < -kSunk * b.box.size(2)) return "falls";
   const bool upright = std::abs(u.z) > std::hypot(u.x, u.y);
   if (w == nullptr) return norm(r) * size > norm(u) ? "turns" : upright ? along_z(u) : "slides";
@@ -66,7 +66,7 @@ std::string body_name(const Body& b, const Building& building) {
   double all = 0;
   for (const double m : building.mass) all += m;
   if (!building.walls.empty() && b.mass > kBuilding * all)
-    return std::string("building, ") + (b.on_ground ? "stands" : motion_of(b, nullptr));
+    return std::string("building, ") + (b.on_ground ? "stays in place" : motion_of(b, nullptr));
   std::string name = wall == nullptr ? (building.walls.empty() ? "body" : "roof") : wall->name;
   if (wall != nullptr) {
     const bool more = b.box.size(wall->across) > 2 * wall->thickness();  // the body extends round a corner

@@ -168,12 +168,13 @@ TEST_CASE("a run writes its results, and never over another's unless told to") {
   const std::string words = "run " + folder.path("case.toml") + " --quiet -j 1 -o " + folder.path("out");
   Outcome o = voussoir(words);
   CHECK(o.code == 0);
-  CHECK(says(o, {"collapsed", "sides reached first  0 in tension, 0 in shear", "sides opened by      0 in", "energy residual", "run.h5"}));
+  CHECK(says(o, {"collapsed", "joints failed first  0 points in tension, 0 in shear", "joints opened        0 points in", "energy error",
+                 "run.h5"}));
   CHECK(std::filesystem::exists(folder.path("out/run.h5")));
   CHECK(std::filesystem::exists(folder.path("out/case.toml")));
   CHECK(says(voussoir("summary " + folder.path("out")),
-             {"finished at", "fallen mass", "debris", "sides reached first  0 in tension, 0 in shear, 0 in compression\n",
-              "sides opened by      0 in tension, 0 in shear, 0 in compression; 0 hold and have slipped\n"}));
+             {"finished at", "fallen mass", "debris", "joints failed first  0 points in tension, 0 in shear, 0 in compression\n",
+              "joints opened        0 points in tension, 0 in shear, 0 in compression; 0 have slipped and hold\n"}));
   CHECK(says(voussoir("summary " + folder.path("out") + " --format json"),
              {"\"damage_grade\": -1", "\"walls\": []", "\"state_hash\"", "\"first_shear\": 0", "\"shear\": 0"}));
   CHECK(voussoir("summary " + folder.path("nowhere")).code == 3);

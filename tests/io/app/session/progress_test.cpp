@@ -43,14 +43,14 @@ TEST_CASE("counts and durations") {
 
 TEST_CASE("the line") {
   CHECK(format_progress(state(3.2144, 1), 12345.2, 130.0) ==
-        "3.214 of 10 s  12,345 steps/s  2 min 10 s left  1,234 broken  residual 1.2e-06");
+        "3.214 of 10 s  12,345 steps/s  2 min 10 s left  1,234 broken  energy error 1.2e-06");
   ProgressState s = state(-0.53, 1);
   s.settling = true;
   ProgressState at_rest = state(3.2144, 1);
   at_rest.states = 12, at_rest.factor = 0.25, at_rest.unbalanced = 3e-4;
   CHECK(format_progress(at_rest, 12345.2, 130.0) ==
-        "12 states of rest, load factor 0.2500, unbalanced 3.0e-04  12,345 steps/s  1,234 broken  residual 1.2e-06");
-  CHECK(format_progress(s, 3.14, std::nullopt) == "settling, -0.530 s  3.1 steps/s  time left unknown  1,234 broken  residual 1.2e-06");
+        "12 states of rest, load factor 0.2500, unbalanced 3.0e-04  12,345 steps/s  1,234 broken  energy error 1.2e-06");
+  CHECK(format_progress(s, 3.14, std::nullopt) == "settling, -0.530 s  3.1 steps/s  time left unknown  1,234 broken  energy error 1.2e-06");
 }
 
 TEST_CASE("time left follows the recent speed") {
