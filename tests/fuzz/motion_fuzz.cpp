@@ -1,8 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "cases/case.h"
@@ -53,15 +57,26 @@ void read_target(const std::string& name) {
   }
 }
 
+/// A file whose first lines tell its format, or the ending of its name; and one of its channels, named in several ways.
 void read_any(const std::string& path, std::size_t bytes) {
-  for (const io::Channel& c : io::read_motion_file(path, {"g", 0.01})) check(c.motion, bytes);
-  static_cast<void>(io::read_channel(path + "#1", {"g", 0.01}, 'L'));
+  const std::vector<io::Channel> channels = io::read_motion_file(path, {"g", 0.01});
+  for (const io::Channel& c : channels) check(c.motion, bytes);
+  for (const std::string& name :
+       {std::string("#1"), std::string("#0"), "#" + (channels.empty() ? "" : channels[0].component), std::string()}) {
+    for (const char axis : {'L', '\0'}) {
+      try {
+        static_cast<void>(io::read_channel(path + name, {"g", 0.01}, axis));
+      } catch (const io::FileError&) {
+      }
+    }
+  }
 }
 
 /// What the first byte chooses.
 void read(std::uint8_t choice, const std::string& path, std::size_t bytes) {
-  if (choice == 'T') return read_target(path);      // a target spectrum
-  if (choice == 'A') return read_any(path, bytes);  // a format that its first lines tell
+  if (choice == 'T') return read_target(path);               // a target spectrum
+  if (choice == 'A') return read_any(path, bytes);           // a format that its first lines tell
+  if (choice == 'C') return read_any(path + ".csv", bytes);  // or CSV
   switch (choice % kFormats) {
     case 0:
       return check(io::read_at2(path), bytes);
@@ -76,14 +91,32 @@ void read(std::uint8_t choice, const std::string& path, std::size_t bytes) {
   }
 }
 
+/// A second name of a file, as long as this lasts.
+class LinkedFile {
+ public:
+  LinkedFile(const std::string& path, std::string name) : name_(std::move(name)) {
+    if (::link(path.c_str(), name_.c_str()) != 0) std::abort();
+  }
+  LinkedFile(const LinkedFile&) = delete;
+  LinkedFile& operator=(const LinkedFile&) = delete;
+  ~LinkedFile() { ::unlink(name_.c_str()); }
+
+ private:
+  std::string name_;
+};
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static fuzz::MemoryFile file;
+  static const LinkedFile as_csv(file.path(), file.path() + ".csv");
   if (size == 0) return 0;
   file.fill(data + 1, size - 1);
   try {
-    read(data[0], file.path(), size);
+    if (data[0] == 'N')
+      read_target("ec8:" + std::string(reinterpret_cast<const char*>(data) + 1, size - 1));  // a target spectrum by its name
+    else
+      read(data[0], file.path(), size);
   } catch (const io::FileError&) {
   } catch (const cases::InputError&) {  // of --target
   }

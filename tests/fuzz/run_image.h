@@ -20,9 +20,9 @@ class RunImage {
   /// \param path  of a run.h5, sealed or not
   explicit RunImage(const std::string& path);
 
-  /// The HDF5 bytes after some edits, made through HDF5's own functions: values, types, shapes, links and attributes become others, HDF5's
-  /// structure stays whole. What cannot be edited so is left as it was.
-  [[nodiscard]] std::vector<std::byte> edited(std::span<const std::uint8_t> edits) const;
+  /// Writes the file after some edits, made through HDF5's own functions: values, types, shapes, links and attributes become others,
+  /// HDF5's structure stays whole. What cannot be edited so is left as it was. A sealed one has to be sealed again.
+  void write_edited(const std::string& path, std::span<const std::uint8_t> edits) const;
   [[nodiscard]] bool sealed() const noexcept { return sealed_; }
 
  private:

@@ -152,6 +152,8 @@ class CompasReader {
       return false;
     }
     if (around.transformation) apply(*around.transformation, mesh);
+    if (!std::ranges::all_of(mesh.vertices, [](Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }))
+      fault(around, "has corners that are no finite numbers once it is in its place");
     FileSolid solid;
     solid.mesh = std::move(mesh);
     solid.support = around.support;

@@ -82,6 +82,18 @@ TEST_CASE("doubts: COMPAS with solids of other kinds; a transformation without a
   CHECK(refusal(folder.write("a.json", moved)).find("has a transformation without a matrix") != std::string::npos);
 }
 
+TEST_CASE("COMPAS: corners that a transformation or the size of a box carries beyond all numbers are refused by name") {
+  const TempFolder folder;
+  const std::string mesh = R"("vertices":[[0,0,0],[9,0,0],[0,1,0],[0,0,1]],"faces":[[0,2,1],[0,1,3],[1,2,3],[2,0,3]]})";
+  const std::string far = R"({"transformation":{"matrix":[[1e308,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]},)";
+  CHECK(refusal(folder.write("a.json", "{" + mesh)).empty());
+  CHECK(refusal(folder.write("a.json", far + mesh)).find("has corners that are no finite numbers") != std::string::npos);
+  const std::string box =
+      R"({"dtype":"compas.geometry/Box","data":{"frame":{"point":[1e308,0,0],"xaxis":[1,0,0],"yaxis":[0,1,0]},"xsize":1.7e308,)"
+      R"("ysize":1,"zsize":1}})";
+  CHECK(refusal(folder.write("a.json", box)).find("has corners that are no finite numbers") != std::string::npos);
+}
+
 TEST_CASE("a face of more corners than any stone has is refused by name, at once") {
   const TempFolder folder;
   constexpr int kCorners = 300000;
