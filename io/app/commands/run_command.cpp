@@ -47,7 +47,8 @@ void warn_of_step(const cases::Case& c, const cases::Model& model, double dt) {
   if (!c.time.step) return;
   const double bound = cases::census(model).step_bound;
   if (dt <= bound) return;
-  std::fprintf(stderr, "voussoir: warning: the step of %.4g s is longer than the largest stable one, %.4g s: the run may diverge\n", dt, bound);
+  std::fprintf(stderr, "voussoir: warning: the step of %.4g s is longer than the largest stable one, %.4g s: the run may diverge\n", dt,
+               bound);
 }
 
 /// Builds, settles, shakes and writes. \return kDone, kNumericalFailure, or 128 + the signal that stopped it.

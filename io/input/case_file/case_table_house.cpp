@@ -102,8 +102,7 @@ Table<Leaves> leaves_table() {
   using S = Leaves;
   return {"outer walls of two leaves, each in the house's bond; storeys whose walls are too thin for two leaves have one",
           {value<S>("walls", &S::walls, "", filled(), "front, right, rear, left; none: all that are built"),
-           value<S>("outer", &S::outer, "m", above(0.0).usually(usual::kThickness),
-                    "thickness of the outer leaf; none: half the wall"),
+           value<S>("outer", &S::outer, "m", above(0.0).usually(usual::kThickness), "thickness of the outer leaf; none: half the wall"),
            value<S>("joint", &S::joint, "", filled(),
                     "law of the collar joint between the leaves (dry: friction alone); none: that of the bricks"),
            table<S>("through", &S::through, through_table())},

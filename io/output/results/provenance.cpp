@@ -8,6 +8,7 @@
 #include <sstream>
 #include <thread>
 
+#include "io/input/files/hdf5_file.h"
 #include "solver/state/saved_state.h"
 
 #if !defined(VOUSSOIR_VERSION) || !defined(VOUSSOIR_FLAGS)
@@ -65,6 +66,22 @@ Provenance provenance(int threads) {
   p.threads = threads;
   p.started = utc_now();
   return p;
+}
+
+void write_provenance(Hdf5File& file, const Provenance& p, double wall_clock) {
+  const std::string at = "/provenance";
+  file.make_group(at);
+  file.set_attribute(at, "version", p.version);
+  file.set_attribute(at, "compiler", p.compiler);
+  file.set_attribute(at, "flags", p.flags);
+  file.set_attribute(at, "cpu", p.cpu);
+  file.set_attribute(at, "cores", std::int64_t{p.cores});
+  file.set_attribute(at, "threads", std::int64_t{p.threads});
+  file.set_attribute(at, "started", p.started);
+  file.set_attribute(at, "ended", p.ended);
+  file.set_attribute(at, "written", utc_now());
+  file.set_attribute(at, "wall_clock", wall_clock);
+  file.set_attribute(at, "units", std::string("wall_clock: s, of this process until this file was written; dates: UTC"));
 }
 
 }  // namespace voussoir::io

@@ -7,6 +7,8 @@
 /// Program, machine and time of a run. Contains no names of hosts or users, and no paths.
 namespace voussoir::io {
 
+class Hdf5File;
+
 struct Provenance {
   std::string version, compiler, flags;  // of this program
   std::string cpu;                       // model name, "unknown" if not available
@@ -18,6 +20,9 @@ struct Provenance {
 
 /// Version as "0.1.0 (physics 8)": the second number increases whenever the same input gives other numbers.
 std::string program_version();
+
+/// Writes /provenance. \param wall_clock  s, of this process so far
+void write_provenance(Hdf5File& file, const Provenance& p, double wall_clock);
 
 /// Provenance of this program on this machine, with `started` set to now.
 Provenance provenance(int threads);

@@ -22,22 +22,6 @@ namespace {
 // part makes run.h5 more expensive to write (2 ms) and to read, and a reader opens all parts of a dataset.
 constexpr double kShare = 0.05;
 
-void write_provenance(Hdf5File& file, const Provenance& p, double wall_clock) {
-  const std::string at = "/provenance";
-  file.make_group(at);
-  file.set_attribute(at, "version", p.version);
-  file.set_attribute(at, "compiler", p.compiler);
-  file.set_attribute(at, "flags", p.flags);
-  file.set_attribute(at, "cpu", p.cpu);
-  file.set_attribute(at, "cores", std::int64_t{p.cores});
-  file.set_attribute(at, "threads", std::int64_t{p.threads});
-  file.set_attribute(at, "started", p.started);
-  file.set_attribute(at, "ended", p.ended);
-  file.set_attribute(at, "written", utc_now());
-  file.set_attribute(at, "wall_clock", wall_clock);
-  file.set_attribute(at, "units", std::string("wall_clock: s, of this process until this file was written; dates: UTC"));
-}
-
 std::string hexadecimal(std::uint64_t n) {
   std::array<char, 17> text{};
   std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(n));

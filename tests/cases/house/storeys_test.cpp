@@ -140,7 +140,8 @@ TEST_CASE("storeys and inner walls: what is refused") {
   check_refused(c, Change([](House& h) { h.storeys[0].height = 0.03; }), "house.storey[0].height", "nearest");
   check_refused(c, Change([](House& h) { h.storeys[0].bearing_wall = 0.4; }), "house.storey[0].bearing_wall",
                 "0.4 m is thicker than the wall below; at most 0.2 m");
-  check_refused(c, Change([](House& h) { h.storeys[0].nonbearing_wall = 0.05; }), "house.storey[0].nonbearing_wall", "two thirds of a brick");
+  check_refused(c, Change([](House& h) { h.storeys[0].nonbearing_wall = 0.05; }), "house.storey[0].nonbearing_wall",
+                "two thirds of a brick");
   check_refused(c, Change([](House& h) { h.openings = {opening("front", 0.6, 0.6, 0.0, 0.2)}, h.openings[0].storey = 3; }),
                 "house.opening[0].storey", "there is no storey 3; allowed: 1 to 2");
   check_refused(c, Change([](House& h) { h.openings = {opening("front", 0.6, 0.6, 0.0, 0.5)}, h.openings[0].storey = 2; }),

@@ -8,7 +8,8 @@ namespace {
 constexpr std::string_view kElements = "/model/element/mass", kVertices = "/model/vertex", kFaces = "/model/face/element",
                            kCorners = "/model/face/corners", kJoints = "/model/joint/area", kMaterials = "/model/material/density",
                            kLaws = "/model/law/tension", kCells = "/model/cell_type", kFrames = "/frames/time", kCracks = "/cracks/time",
-                           kWalls = "/summary/wall/name", kTies = "/model/tie", kMeshes = "/model/mesh", kLoads = "/loads/element", kTieGroups = "/summary/tie/name";
+                           kWalls = "/summary/wall/name", kTies = "/model/tie", kMeshes = "/model/mesh", kLoads = "/loads/element",
+                           kTieGroups = "/summary/tie/name";
 
 std::vector<ValueRule> rules_of_model() {
   using enum Values;

@@ -181,8 +181,9 @@ TEST_CASE("a house that cracks under its own weight: a warning with how many and
   const std::string name = folder.write("case.toml", kSmallHouse), out = folder.path("out");
   const Outcome o = voussoir("run " + name + " --quiet -j 1 -o " + out);
   REQUIRE(o.code == 0);
-  CHECK(says(o, {"warning: ", " contact points of joints broke under the building's own weight, before the shaking (", " in tension", "Where: ",
-                 " wall ", "between z = ", "first crack          while settling, at -", "of the shaking none", "of them settling"}));
+  CHECK(says(
+      o, {"warning: ", " contact points of joints broke under the building's own weight, before the shaking (", " in tension",
+          "Where: ", " wall ", "between z = ", "first crack          while settling, at -", "of the shaking none", "of them settling"}));
   // Shares of the parts add up to all of it, but for rounding.
   const std::string where = o.text.substr(o.text.find("Where: "), o.text.find("between z = ") - o.text.find("Where: "));
   int shares = 0, parts = 0;

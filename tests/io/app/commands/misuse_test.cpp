@@ -67,8 +67,8 @@ TEST_CASE("a run whose numbers blow up fails, however short it is, and check say
   const Pillar pillar;
   refused(pillar.run("blown", "--dt 0.001 --duration 0.01"), 1, "numerical failure");
   refused(voussoir("check " + shell::quoted(pillar.file) + " --set time.step=0.001"), 2, "a fault: the first steps go wrong");
-  CHECK(pillar.run("large", "--dt 0.0002 --duration 0.001").text.find("warning: the step of 0.0002 s is longer than the largest stable one") !=
-        std::string::npos);
+  CHECK(pillar.run("large", "--dt 0.0002 --duration 0.001")
+            .text.find("warning: the step of 0.0002 s is longer than the largest stable one") != std::string::npos);
   refused(pillar.run("tiny", "--dt 1e-20"), 2, "time.step = 1e-20 s is out of range; allowed: at least 1e-9");
 }
 

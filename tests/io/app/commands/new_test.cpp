@@ -67,9 +67,9 @@ TEST_CASE("a mistyped option is suggested") {
 TEST_CASE("all faults of a case are told, each on a line of its own") {
   const TempFolder folder;
   REQUIRE(voussoir("new house " + shell::quoted(folder.path("a.toml"))).code == 0);
-  const Outcome o =
-      voussoir("check " + shell::quoted(folder.path("a.toml")) +
-               " --set house.bearing_wall=0.1 --set house.opening[1].wall=frnt --set house.opening[0].sill=0.05 --set joints.default=morta");
+  const Outcome o = voussoir(
+      "check " + shell::quoted(folder.path("a.toml")) +
+      " --set house.bearing_wall=0.1 --set house.opening[1].wall=frnt --set house.opening[0].sill=0.05 --set joints.default=morta");
   CHECK(o.code == 2);
   CAPTURE(o.text);
   CHECK(std::count(o.text.begin(), o.text.end(), '\n') == 4);
