@@ -99,7 +99,7 @@ std::optional<double> storey_drift(const Wall& wall, const std::vector<Pose>& st
   }
   if (gone >= standing) return {};
   const double foot = sum_of(wall, displacements_of(wall.foot, start, poses, fallen), kAlong).mean();
-  return (sum / static_cast<double>(standing) - foot) / wall.height();
+  return wall.right() * (sum / static_cast<double>(standing) - foot) / wall.height();
 }
 
 }  // namespace voussoir::io

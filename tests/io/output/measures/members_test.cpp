@@ -134,6 +134,11 @@ TEST_CASE("storey drift is the mean of the whole top along the wall, its peak wi
   CHECK(m.peak_storey_drift == doctest::Approx(0.02).epsilon(1e-4));
   CHECK(m.peak_storey_drift_wall == "front wall");
   CHECK(wall(m, "rear wall").peak_storey_drift == doctest::Approx(0.0));
+  // The same way is to the left of who looks at the rear wall.
+  Hut other;
+  other.frame(0.0, stays);
+  other.frame(0.1, [&](std::size_t e, Vec3 x) { return other.tag(e) == "rear wall" && x.z > 0.3 ? x + Vec3{0.008, 0.0, 0.0} : x; });
+  CHECK(wall(other.measures(), "rear wall").peak_storey_drift == doctest::Approx(-0.02).epsilon(1e-4));
   CHECK(storeys_text(m).find("storey 1, 0.00 to 0.40 m") != std::string::npos);
 }
 
