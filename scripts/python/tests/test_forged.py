@@ -93,7 +93,7 @@ VALUES = [
     (put("model/element/first_vertex", 1, 99), "/model/element/first_vertex: row 1 holds 99", "elements"),
     (put("model/joint/element_a", 0, 2), "/model/joint/element_a: row 0 holds 2; allowed: 0 to 1", "joints"),
     (put("model/joint/element_b", 0, -2), "/model/joint/element_b: row 0 holds -2", "joints"),
-    (put("model/joint/law", 0, 1000), "/model/joint/law: row 0 holds 1000", "joints", ("report",)),
+    (put("model/joint/law", 0, 1000), "/model/joint/law: row 0 holds 1000", "joints", ("assess", "report")),
     (crack(joint=-1), "/cracks/joint: row 1 holds -1", "cracks"),
     (crack(element_a=5), "/cracks/element_a: row 1 holds 5; allowed: 0 to 1", "cracks", ()),
     (crack(time=-1.0), "/cracks/time: row 1 holds -1[.0]*; allowed: no time before", "cracks"),

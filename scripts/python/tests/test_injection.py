@@ -13,6 +13,7 @@ import re
 import shutil
 import subprocess
 import unittest
+import urllib.parse
 import xml.etree.ElementTree
 
 import voussoir
@@ -60,7 +61,16 @@ class Elements(html.parser.HTMLParser):
             if name.startswith("on") or (value or "").startswith("javascript:"):
                 self.odd.append((tag, name, value))
         if tag in ("iframe", "object", "embed", "img"):
-            self.odd.append((tag, dict(attributes).get("src"), None))
+            self.odd += in_picture(dict(attributes).get("src") or "", tag)
+
+
+def in_picture(source, tag):
+    """What a picture would run or fetch: nothing, if it is one of the page's own maps and holds no such elements itself."""
+    kind, _, drawing = source.partition(",")
+    if tag != "img" or not kind.startswith("data:image/svg+xml"):
+        return [(tag, source, None)]
+    drawing = urllib.parse.unquote(drawing)
+    return Elements(drawing).odd + [("script", drawing, None)] * drawing.lower().count("<script")
 
 
 class Injection(InAFolder):
