@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "geometry/disjoint_sets.h"
 #include "geometry/nth.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/hdf5_file.h"
@@ -33,23 +34,6 @@ bool touch(const Box& a, const Box& b) {
     if (a.low[k] > b.high[k] + kTouch || b.low[k] > a.high[k] + kTouch) return false;
   return true;
 }
-
-/// Sets of joints that hang together: of each joint the first of its set.
-class Sets {
- public:
-  explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-  std::size_t first(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t i, std::size_t k) {
-    const std::size_t a = first(i), b = first(k);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 /// The wall whose crack a joint is. Of a joint between two walls the one in whose plane its normal lies, so that it is seen as a line
 /// there; of two such walls, one upon the other or at a corner, the first.
@@ -85,8 +69,9 @@ std::vector<Open> open_of(const Hdf5File& run, const Building& building, const s
   return open;
 }
 
-Sets sets_of(const std::vector<const Open*>& open) {
-  Sets sets(open.size());
+/// Joints that hang together.
+geometry::DisjointSets sets_of(const std::vector<const Open*>& open) {
+  geometry::DisjointSets sets(open.size());
   std::vector<std::size_t> order(open.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return open[i]->box.low[2]; });
@@ -145,9 +130,9 @@ std::vector<Crack> cracks_of(const Hdf5File& run, const Building& building, cons
     std::vector<const Open*> open;
     for (const Open& o : all)
       if (o.wall == wall) open.push_back(&o);
-    Sets sets = sets_of(open);
+    geometry::DisjointSets sets = sets_of(open);
     std::map<std::size_t, Adder> of_set;
-    for (std::size_t i = 0; i < open.size(); ++i) of_set.try_emplace(sets.first(i), building, wall).first->second.add(*open[i]);
+    for (std::size_t i = 0; i < open.size(); ++i) of_set.try_emplace(sets.of(i), building, wall).first->second.add(*open[i]);
     for (auto& [first, adder] : of_set) cracks.push_back(adder.finish());
   }
   std::ranges::stable_sort(cracks,

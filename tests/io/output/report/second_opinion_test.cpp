@@ -18,16 +18,12 @@ using namespace test;
 
 namespace {
 
-/// A pushover of the two cubes: the load grows for two seconds, and falls. \return why the page does not take `limit`, or what it makes of
-/// it
-std::string opinion_on(const std::string& limit) {
-  const TempFolder folder;
-  ResultsWriter writer(folder.path(), two_cubes(), std::string(kCase) + "\n[analysis]\nkind = \"pushover\"\ndirection = [0.0, 2.0]\n",
-                       kNames, {}, by_hand());
+/// The rows of a pushover along y: the load grows for two seconds, and falls. \param each  called in each row, with its number
+template <class Each>
+void push(ResultsWriter& writer, const Each& each) {
   solver::Drive drive;
   drive.frequency = 10.0, drive.pace = 2.0, drive.weight = 100.0;
   writer.drive(drive);
-  record(writer, 0);
   for (int i = 0; i <= 40; ++i) {
     const double t = 0.1 * i, factor = i < 20 ? 0.05 * i : 2.0 - 0.05 * i;
     solver::EnergyRow energy;
@@ -35,7 +31,18 @@ std::string opinion_on(const std::string& limit) {
     writer.energy(energy);
     writer.forces({t, {0.0, -100.0 * factor, 0.0}, {}});
     writer.assessment({t, factor, 0.001 * i, 0.002 * i, 0.001 * i, 100.0 * factor, 0.0, 0.0});
+    each(i);
   }
+}
+
+/// A pushover of the two cubes. \return why the page does not take `limit`, or what it makes of
+/// it
+std::string opinion_on(const std::string& limit) {
+  const TempFolder folder;
+  ResultsWriter writer(folder.path(), two_cubes(), std::string(kCase) + "\n[analysis]\nkind = \"pushover\"\ndirection = [0.0, 2.0]\n",
+                       kNames, {}, by_hand());
+  record(writer, 0);
+  push(writer, [](int) {});
   writer.finish();
   if (!limit.empty()) write_text_file(folder.file("limit.json"), limit);
   const Hdf5File run = Hdf5File::open(folder.file("run.h5"));
@@ -53,19 +60,11 @@ std::vector<page::Plot> plots_under(const std::string& demand) {
   const TempFolder folder;
   ResultsWriter writer(folder.path(), two_cubes(),
                        std::string(kCase) + "\n[analysis]\nkind = \"pushover\"\ndirection = [0.0, 2.0]\n" + demand, kNames, {}, by_hand());
-  solver::Drive drive;
-  drive.frequency = 10.0, drive.pace = 2.0, drive.weight = 100.0;
-  writer.drive(drive);
-  for (int i = 0; i <= 40; ++i) {
-    const double t = 0.1 * i, factor = i < 20 ? 0.05 * i : 2.0 - 0.05 * i;
-    solver::EnergyRow energy;
-    energy.time = t, energy.input = 0.01 * i;
-    writer.energy(energy);
-    writer.forces({t, {0.0, -100.0 * factor, 0.0}, {}});
-    writer.assessment({t, factor, 0.001 * i, 0.002 * i, 0.001 * i, 100.0 * factor, 0.0, 0.0});
+  push(writer, [&](int i) {
     const auto y = static_cast<float>(0.001 * i);
-    writer.frame({t, std::array<float, 6>{0, y, 0, 0, y, 0}, std::array<float, 8>{1, 0, 0, 0, 1, 0, 0, 0}, std::array<float, 2>{0, 0}});
-  }
+    writer.frame(
+        {0.1 * i, std::array<float, 6>{0, y, 0, 0, y, 0}, std::array<float, 8>{1, 0, 0, 0, 1, 0, 0, 0}, std::array<float, 2>{0, 0}});
+  });
   writer.finish();
   const Hdf5File run = Hdf5File::open(folder.file("run.h5"));
   std::vector<page::Plot> plots;
