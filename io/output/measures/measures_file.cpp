@@ -43,7 +43,7 @@ void write_series(Hdf5File& file, const MeasureSeries& s, std::size_t walls) {
   put(file, "/measures/in_plane_drift", s.in_plane_drift, {s.time.size(), walls},
       {"1", "in-plane drift of each wall of /summary/wall, along x or y positive; NaN: it does not stand"});
   put(file, "/measures/storey_drift", s.storey_drift, {s.time.size(), walls},
-      {"1", "storey drift of each wall of /summary/wall, along x or y positive; NaN: it does not stand"});
+      {"1", "storey drift of each wall of /summary/wall, positive to the right as seen from outside; NaN: it does not stand"});
   put(file, "/measures/seat_slip", s.seat_slip, rows, {"m", "largest slip of a beam or rafter on a wall; NaN: there is none"});
 }
 

@@ -49,7 +49,7 @@ inline constexpr std::array kWallColumns{
     WallColumn{"top", &WallMeasures::top, "m", "height of its top, without a gable"},
     WallColumn{"peak_drift_time", &WallMeasures::peak_drift_time, "s", "of peak_drift; below 0: never"},
     WallColumn{"peak_storey_drift", &WallMeasures::peak_storey_drift, "1",
-               "drift of its storey along the wall while it stood, along x or y positive; NaN: it never stood"},
+               "drift of its storey along the wall while it stood, positive to the right as seen from outside; NaN: it never stood"},
     WallColumn{"peak_storey_drift_time", &WallMeasures::peak_storey_drift_time, "s", "of it; below 0: never"},
     WallColumn{"residual_storey_drift", &WallMeasures::residual_storey_drift, "1", "the same at the end; NaN: the wall does not stand"},
     WallColumn{"peak_seat_slip", &WallMeasures::peak_seat_slip, "m", "largest slip of a beam or rafter on it; NaN: it bears none"},
