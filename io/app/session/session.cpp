@@ -19,6 +19,7 @@
 #include "io/app/session/views.h"
 #include "io/input/files/errors.h"
 #include "io/output/measures/capacity/capacity_file.h"
+#include "io/output/measures/capacity/light_elements.h"
 #include "io/output/measures/settling_warning.h"
 #include "solver/world/errors.h"
 
@@ -228,6 +229,8 @@ int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState&
                 const std::string& folder, bool quiet, double page_every) {
   std::optional<Signals> signals(std::in_place);
   Watch watch(sim, plan, results, checkpoints, LivePage(folder, page_every), quiet);
+  const std::string light = light_elements_warning(sim.world(), c.analysis);
+  if (!light.empty()) std::fprintf(stderr, "voussoir: warning: %s\n", light.c_str());
   try {
     now_doing("running");
     const solver::RunResult r = solver::run(sim, plan, c, c.end(), results, [&](const solver::RunStatus& s) { return watch.look(s); });
