@@ -15,6 +15,12 @@
 
 namespace voussoir::io {
 
+namespace {
+
+constexpr double kOftenest = 5.0;  // s: a page loads itself anew no more often
+
+}  // namespace
+
 void write_page(const std::vector<std::string>& runs, const std::string& page, bool overwrite, const std::vector<solver::Mode>& modes) {
   const Output output{page, FileKind::page, "the page", overwrite};
   check_output(output);
@@ -38,7 +44,7 @@ void LivePage::look(double now) {
   if (every_ <= 0 || now < next_) return;
   const auto start = std::chrono::steady_clock::now();
   try {
-    write_output({folder_ + "/report.html", FileKind::page, "the page", true}, report_html({folder_ + "/run.h5"}));
+    write_output({folder_ + "/report.html", FileKind::page, "the page", true}, live_html(folder_ + "/run.h5", std::max(kOftenest, every_)));
   } catch (const std::exception& e) {
     std::fprintf(stderr, "voussoir: warning: %s; the run goes on without this page\n", e.what());
   }

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/message.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/hdf5_file.h"
 #include "io/input/files/packed_text.h"
@@ -135,6 +136,13 @@ std::string model_html(const std::string& run, const std::string& fault, const s
   out.put("fixed", model.fixed);
   out.put("joint-laws", model.edge_law);
   out.put("joint-ends", model.joint_ends);
+  return std::string(page.head).append(report_data(run)).append(out.text).append(page.tail);
+}
+
+std::string live_html(const std::string& run, double every) {
+  const ReportPage page = report_page();
+  Scripts out("");
+  out.put("application/json", "live", geometry::printed("%g", every));
   return std::string(page.head).append(report_data(run)).append(out.text).append(page.tail);
 }
 

@@ -27,6 +27,9 @@ std::string report_data(const std::string& run, const std::string& prefix = "", 
 /// report_model
 std::string model_html(const std::string& run, const std::string& fault, const std::vector<std::int32_t>& faults);
 
+/// The page of a run that goes on, which loads itself anew. \param every  s, when: "live" (JSON, a number) beside report_data
+std::string live_html(const std::string& run, double every);
+
 /// The complete page: report_data of one run, or of two side by side (the ids of the second begin with "second-"), within the page of
 /// scripts/report. \param modes  of the first run's undamaged structure, to be shown \throw FileError
 std::string report_html(const std::vector<std::string>& runs, const std::vector<solver::Mode>& modes = {});

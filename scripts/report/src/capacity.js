@@ -6,7 +6,7 @@ const is = (x) => x !== null && x !== undefined;
 const fixed = (x, digits, unit) => (is(x) ? `${x.toFixed(digits)} ${unit}`.trimEnd() : "–");
 const kilonewtons = (x) => fixed(is(x) ? x / 1000 : x, 1, "kN"), millimetres = (x) => fixed(is(x) ? 1000 * x : x, 2, "mm");
 const percent = (x, digits = 2) => fixed(is(x) ? 100 * x : x, digits, "%"), stiffness = (x) => fixed(is(x) ? x / 1e6 : x, 1, "kN/mm");
-const rate = (c) => (c.slow ? "slow enough" : "depends on the rate");
+const rate = (c) => (is(c.unbalanced) ? "of states of rest" : `without inertia and damping, ${c.slow ? "slow enough" : "depends on the rate"}`);
 
 /** What stands in large type: [name, value, small print]. @param c  null or undefined: a time history */
 export function capacityKeys(c) {
@@ -14,7 +14,7 @@ export function capacityKeys(c) {
   if (c.kind === "settlement") return [["Fell after", is(c.collapse_movement) ? `${c.collapse_movement.toFixed(3)} m` : "never", "movement of a support"]];
   if (c.kind === "cyclic") return [["Load factors", `${c.least_factor.toFixed(2)} … ${c.multiplier.toFixed(2)}`, `${c.loops?.length ?? 0} whole cycles`], ["Lost in the loops", fixed(c.dissipated, 1, "J"), `of ${fixed(c.loop_area, 1, "J")} put in`]];
   return [
-    [c.kind === "tilt" ? "Multiplier" : "Load factor", fixed(c.multiplier_at_rest, 4, ""), `without inertia and damping, ${rate(c)}`],
+    [c.kind === "tilt" ? "Multiplier" : "Load factor", fixed(c.multiplier_at_rest, 4, ""), rate(c)],
     ["Base shear", kilonewtons(c.peak_shear), `largest, at ${millimetres(c.peak_displacement)}`],
     ["Ultimate", millimetres(c.ultimate_displacement), is(c.ultimate_drift) ? `drift ${percent(c.ultimate_drift)}` : "not reached"],
     ["First stiffness", stiffness(c.first_stiffness), "at 15 % of the peak"],

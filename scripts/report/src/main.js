@@ -4,6 +4,7 @@ import { CrackTable } from "./cracktable.js";
 import { CurvePlot } from "./curves.js";
 import { loadRun } from "./data.js";
 import { showLegend } from "./legend.js";
+import { keepUp } from "./live.js";
 import { drawOverlay } from "./overlay.js";
 import { loadsAt } from "./loads.js";
 import { Pane } from "./pane.js";
@@ -411,7 +412,7 @@ async function open() {
 }
 
 window.opened = open();
-window.opened.catch((error) => {
+window.opened.then(keepUp).catch((error) => {
   by("status").textContent = `The page cannot be shown: ${error.message}`;
   throw error;
 });

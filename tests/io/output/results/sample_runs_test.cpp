@@ -71,6 +71,8 @@ TEST_CASE("a run of each schema: assess, report, paraview, compare") {
       CHECK(a.weight == doctest::Approx(1611.48).epsilon(1e-4));
     }
     CHECK(report_html({path}).size() > 100'000);
+    CHECK(report_html({path}).find("id=\"live\"") == std::string::npos);
+    CHECK(live_html(path, 7.5).find("<script type=\"application/json\" id=\"live\">7.5</script>") != std::string::npos);
     CHECK_NOTHROW(write_paraview(dir.path(), true));
     CHECK(compare_files(path, path).differing == 0);
     CHECK((compare_files(path, newest).differing == 0) == (schema == test::kSampleSchemas));
