@@ -201,6 +201,9 @@ def of_capacity(f):
     a = f["capacity"].attrs
     if a["fallen_before"] > 0.0 or not a["multiplier"] > LEAST_FACTOR:  # how a heap comes to lie is chance
         return {}
+    ended = a["ended"] if isinstance(a["ended"], str) else a["ended"].decode()
+    if ended == "largest factor":  # by how much the last step goes beyond it is a matter of the steps
+        return {"capacity: first_stiffness": Value(numpy.array(float(a["first_stiffness"])), SCALAR, STIFFNESS)} if numpy.isfinite(a["first_stiffness"]) else {}
     return {f"capacity: {k}": Value(numpy.array(float(a[k])), SCALAR, d) for k, d in CAPACITY.items() if k in a and numpy.isfinite(a[k])}
 
 
