@@ -12,8 +12,9 @@
 namespace voussoir::io {
 namespace {
 
-constexpr double kMostSteps = 1e10;  // a step of a single block takes half a microsecond: hours; of a house, months
-constexpr double kMostRows = 1e9;    // of one table: some 50 GB
+constexpr double kMostSteps = 1e10;      // a step of a single block takes half a microsecond: hours; of a house, months
+constexpr double kMostRows = 1e9;        // of one table: some 50 GB
+constexpr double kMostMotionRows = 5e6;  // of /motion, 80 bytes each: run.h5 is written anew with every part
 constexpr double kMostFrameBytes = 1e13;
 constexpr double kFrameBytes = 32.0;    // of an element in a frame
 constexpr double kFineStep = 1e-7;      // s: no building has so short a step
@@ -61,6 +62,11 @@ void refuse_rows(const cases::Case& c, std::size_t elements, double dt) {
        {std::pair{"output.history_interval", c.output.history_interval}, std::pair{"output.ledger_interval", c.output.ledger_interval},
         std::pair{"output.frame_interval", frame}})
     if (!(rows(interval) <= kMostRows)) refuse(key, interval, cases::text(rows(interval)) + " rows; allowed: at most 1e9");
+  const double motion = c.time.duration / std::max(c.output.history_interval, dt);
+  if (c.motion && !cases::is_assessment(c.analysis) && !(motion <= kMostMotionRows))
+    refuse("output.history_interval", c.output.history_interval,
+           cases::text(motion) + " rows of the base's motion in " + cases::text(c.time.duration) + " s; allowed: at most 5e6, with " +
+               cases::text(c.time.duration / kMostMotionRows) + " s or more");
   const double bytes = frames * kFrameBytes * static_cast<double>(elements);
   if (!(bytes <= kMostFrameBytes)) refuse("output.frame_interval", frame, cases::text(bytes) + " bytes of frames; allowed: at most 1e13");
 }

@@ -53,8 +53,8 @@ double LowPass::operator()(double value) noexcept {
   return value;
 }
 
-PointAccelerations point_accelerations(const Hdf5File& run) {
-  if (!run.exists("/history/time")) return {};
+PointAccelerations point_accelerations(const Hdf5File& run, std::uint64_t most_rows) {
+  if (!run.exists("/history/time") || run.count_of("/history/time") > most_rows) return {};
   std::vector<double> time = run.read<double>("/history/time");
   if (time.size() < 2) return {};
   const double interval = (time.back() - time.front()) / static_cast<double>(time.size() - 1);

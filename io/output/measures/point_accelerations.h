@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,8 @@ class LowPass {
 };
 
 inline constexpr double kInstrumentCorner = 50.0;  // Hz
+/// Rows of /history at most: all of them are in memory at once, 24 bytes a row and point (6,000 s at 1 ms).
+inline constexpr std::uint64_t kMostInstrumentRows = 6'000'000;
 
 /// Acceleration of one followed element, at the rows of /history.
 struct PointAcceleration {
@@ -46,9 +49,9 @@ struct PointAccelerations {
 /// its acceleration over that time: these means pass the low-pass of kInstrumentCorner; the first row is zero. Frequencies above half the
 /// rate of the rows are therefore aliased only as far as the mean transmits them (950 Hz, rows at 1 kHz: a twentieth). The curve lags by
 /// half an interval plus the filter's delay, 8.3 ms for slow motion.
-/// \return empty if /history has fewer than two rows, or fewer than four per period of the corner. For a run without /motion (of an earlier
-/// version) accelerations are relative to the base
-PointAccelerations point_accelerations(const Hdf5File& run);
+/// \return empty if /history has fewer than two rows, more than `most_rows`, or fewer than four per period of the corner. For a run
+/// without /motion (of an earlier version) accelerations are relative to the base
+PointAccelerations point_accelerations(const Hdf5File& run, std::uint64_t most_rows = kMostInstrumentRows);
 
 /// Writes the group /acceleration: `time`, and rows×3 by the names of the points. \throw FileError
 void write_accelerations(Hdf5File& file, const PointAccelerations& a);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <memory>
+#include <utility>
 
 #include "cases/case.h"
 #include "io/input/motion/motion_files.h"
@@ -46,48 +48,91 @@ class Integral {
   double velocity_ = 0.0, displacement_ = 0.0;  // at the current sample
 };
 
-template <class T>
-StaticDataset dataset(const char* name, const std::vector<T>& values, Shape shape, const char* unit, std::string description) {
+/// The rows of /motion and what they are made of, shared by its datasets.
+struct Rows {
+  cases::GroundMotion motion;
+  double dt;
+  std::int64_t every, last;
+
+  [[nodiscard]] std::uint64_t count() const { return static_cast<std::uint64_t>(last / every) + 1; }
+};
+using SharedRows = std::shared_ptr<const Rows>;
+
+/// \param get  appends what the dataset has of a row
+template <class Get>
+RowSource source(SharedRows rows, std::size_t width, Get get) {
+  return [rows = std::move(rows), width, get](const auto& put) {
+    const std::size_t piece = width * checked_layout(width * sizeof(double)).chunk_rows;
+    std::vector<double> values;
+    values.reserve(std::min<std::size_t>(piece, width * rows->count()));
+    base_motion(rows->motion, rows->dt, rows->every, rows->last, [&](const BaseRow& row) {
+      get(row, values);
+      if (values.size() < piece) return;
+      put(values);
+      values.clear();
+    });
+    if (!values.empty()) put(values);
+  };
+}
+
+StaticDataset times(const SharedRows& rows) {
+  StaticDataset d;
+  d.name = "/motion/time";
+  d.shape = {rows->count()};
+  d.source = source(rows, 1, [](const BaseRow& row, std::vector<double>& to) { to.push_back(row.time); });
+  d.note = {"s", "time of the rows: those of /history, up to the case's duration"};
+  return d;
+}
+
+StaticDataset vectors(const char* name, const SharedRows& rows, Vec3 BaseRow::*value, const char* unit, std::string description) {
   StaticDataset d;
   d.name = name;
-  d.shape = std::move(shape);
-  d.bytes.resize(values.size() * sizeof(T));
-  if (!values.empty()) std::memcpy(d.bytes.data(), values.data(), d.bytes.size());
+  d.shape = {rows->count(), 3};
+  d.source = source(rows, 3, [value](const BaseRow& row, std::vector<double>& to) {
+    const Vec3 v = row.*value;
+    to.insert(to.end(), {v.x, v.y, v.z});
+  });
   d.note = {unit, std::move(description)};
+  return d;
+}
+
+StaticDataset factors(const std::array<double, 3>& values) {
+  StaticDataset d;
+  d.name = "/motion/factors";
+  d.shape = {values.size()};
+  d.bytes.resize(sizeof values);
+  std::memcpy(d.bytes.data(), values.data(), sizeof values);
+  d.note = {"1", "by which L, T, V (or x, y, z) of the record were multiplied to reach motion.intensity"};
   return d;
 }
 
 }  // namespace
 
-BaseMotion base_motion(const cases::GroundMotion& motion, double dt, std::int64_t every, std::int64_t last) {
-  BaseMotion out;
+void base_motion(const cases::GroundMotion& motion, double dt, std::int64_t every, std::int64_t last,
+                 const std::function<void(const BaseRow&)>& take) {
   std::array<Integral, 3> axes{Integral(motion.axis[0]), Integral(motion.axis[1]), Integral(motion.axis[2])};
   for (std::int64_t n = 0; n <= last; n += every) {
     const double t = static_cast<double>(n) * dt;
     const Integral::Row x = axes[0].at(t), y = axes[1].at(t), z = axes[2].at(t);
-    out.time.push_back(t);
-    out.acceleration.push_back({x.acceleration, y.acceleration, z.acceleration});
-    out.velocity.push_back({x.velocity, y.velocity, z.velocity});
-    out.displacement.push_back({x.displacement, y.displacement, z.displacement});
+    take({t,
+          {x.acceleration, y.acceleration, z.acceleration},
+          {x.velocity, y.velocity, z.velocity},
+          {x.displacement, y.displacement, z.displacement}});
   }
-  return out;
 }
 
 std::vector<StaticDataset> motion_datasets(const cases::Case& c, const cases::GroundMotion& motion, double dt, std::int64_t cycle) {
   if (!c.motion || is_assessment(c.analysis)) return {};
   const std::int64_t every = solver::in_cycles(c.output.history_interval, dt, cycle);
-  const BaseMotion m = base_motion(motion, dt, every, solver::last_step(c.time.duration, dt, cycle));
+  const auto rows = std::make_shared<const Rows>(Rows{motion, dt, every, solver::last_step(c.time.duration, dt, cycle)});
   const std::string done = done_to_record(*c.motion, motion.factor);
-  const Shape rows{m.time.size()}, vectors{m.time.size(), 3};
   std::vector<StaticDataset> all{
-      dataset("/motion/time", m.time, rows, "s", "time of the rows: those of /history, up to the case's duration"),
-      dataset("/motion/acceleration", m.acceleration, vectors, "m/s2",
+      times(rows),
+      vectors("/motion/acceleration", rows, &BaseRow::acceleration, "m/s2",
               "of the base along x, y, z, as applied: scaled" + (done.empty() ? std::string() : "; of the record " + done)),
-      dataset("/motion/velocity", m.velocity, vectors, "m/s", "of the base: the integral of its acceleration from rest"),
-      dataset("/motion/displacement", m.displacement, vectors, "m", "of the base: the integral of its velocity from zero")};
-  if (c.motion->intensity)
-    all.push_back(dataset("/motion/factors", std::vector(motion.factor.begin(), motion.factor.end()), {3}, "1",
-                          "by which L, T, V (or x, y, z) of the record were multiplied to reach motion.intensity"));
+      vectors("/motion/velocity", rows, &BaseRow::velocity, "m/s", "of the base: the integral of its acceleration from rest"),
+      vectors("/motion/displacement", rows, &BaseRow::displacement, "m", "of the base: the integral of its velocity from zero")};
+  if (c.motion->intensity) all.push_back(factors(motion.factor));
   return all;
 }
 

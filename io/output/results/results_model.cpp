@@ -64,6 +64,17 @@ std::vector<double> each_vector(const List& list, Get get) {
 
 using Datasets = std::vector<StaticDataset>;
 
+/// Writes a dataset of which no more than a few rows are in memory.
+void write_made(Hdf5File& file, const StaticDataset& d) {
+  const std::uint64_t width = d.shape.size() > 1 ? d.shape[1] : 1;
+  file.create_dataset(d.name, Hdf5Type::f64, d.shape, checked_layout(width * sizeof(double)), d.note);
+  std::uint64_t first = 0;
+  d.source([&](std::span<const double> values) {
+    file.write_rows(d.name, Hdf5Type::f64, first, values.size() / width, values.data());
+    first += values.size() / width;
+  });
+}
+
 /// Text "0 block, 1 brick, ...".
 std::string numbered_kinds() {
   using enum cases::PartKind;
@@ -312,6 +323,8 @@ void write_datasets(Hdf5File& file, const std::vector<StaticDataset>& datasets) 
   for (const StaticDataset& d : datasets) {
     if (d.is_text)
       file.write_strings(d.name, d.texts, d.note);
+    else if (d.source)
+      write_made(file, d);
     else
       file.write_dataset(d.name, d.type, d.shape, d.bytes.data(), checked_layout(d.bytes.size() / std::max<std::size_t>(1, d.shape[0])),
                          d.note);

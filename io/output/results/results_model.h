@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,12 +14,16 @@
 /// The group /model of run.h5, which is constant during a run.
 namespace voussoir::io {
 
-/// A dataset to be written: numbers as bytes of `type`, or texts.
+/// Makes the values of a dataset as they are written: calls its argument with some whole rows after the other.
+using RowSource = std::function<void(const std::function<void(std::span<const double>)>&)>;
+
+/// A dataset to be written: numbers as bytes of `type`, or made as they are written, or texts.
 struct StaticDataset {
   std::string name;
   Hdf5Type type = Hdf5Type::f64;
   Shape shape;
   std::vector<std::byte> bytes;
+  RowSource source;                // used if set, of type f64
   std::vector<std::string> texts;  // used if is_text
   bool is_text = false;
   Hdf5Note note;

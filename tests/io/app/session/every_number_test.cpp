@@ -187,5 +187,7 @@ TEST_CASE("numbers: what makes no step, or no end, is refused alike by check and
   refused("waits", "gravity.ramp=9e5", {"gravity.ramp", "steps; allowed: at most 1e10"});
   refused("tiny", "materials.stone.density=1", {"materials.stone.young", "block \"b\"", "makes a step of", "the largest stable one"});
   refused("long", "output.history_interval=2e-6", {"output.history_interval", "rows; allowed: at most 1e9"});
+  refused("shaken", "time.duration=100000",
+          {"output.history_interval", "100000000 rows of the base's motion in 100000 s; allowed: at most 5e6, with 0.02 s or more"});
   refused("frames", "output.frame_interval=1e-6", {"output.frame_interval", "rows; allowed: at most 1e9"});
 }

@@ -90,6 +90,7 @@ TEST_CASE("a followed point on a shaken base: what an accelerometer there would 
     CHECK(std::abs(other.acceleration[i].y) < 0.05);  // of 50 m/s2
   }
   CHECK(run.shape("/acceleration/top") == Shape{2001, 3});
+  CHECK(point_accelerations(run, 2000).points.empty());
   CHECK(run.read<double>("/acceleration/time") == a.time);
   CHECK(run.read<double>("/acceleration/top")[3 * 700] == top.acceleration[700].x);
   CHECK(run.attribute_text("/acceleration/top", "description").find("fourth order, 50 Hz") != std::string::npos);
