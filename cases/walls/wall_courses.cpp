@@ -3,6 +3,8 @@
 #include "cases/walls/wall_courses.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 
 #include "cases/house/house_courses.h"
@@ -50,32 +52,66 @@ double line_length(const std::vector<Leg*>& legs) {
   return sum;
 }
 
-/// A hole apart from others and from where walls meet. \throw InputError at `key`
-void check_place(const WallSpec& wall, const WallsPlan& plan, const Leg& leg, const LegHole& hole, const std::string& key) {
-  const double least = least_piece(wall);
+/// A length in messages, to a tenth of a millimetre.
+std::string length_text(double v) { return text(std::round(v * 1e4) * 1e-4); }
+
+/// A stretch of a leg in which a hole may not lie, with what is there.
+struct Obstacle {
+  double low = 0.0, high = 0.0;  // m, of s; infinite beyond the ends
+  std::string words;
+};
+
+/// Obstacles for a hole: where other legs meet this one, other openings, the free ends.
+std::vector<Obstacle> obstacles_for(const WallsPlan& plan, const Leg& leg, const LegHole& hole) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  std::vector<Obstacle> all;
   for (const Station& s : leg.stations) {
     const Meeting& m = plan.meetings[s.meeting];
     const Leg& other = plan.legs[s.host ? m.guest : m.host];
     if (!hole.height.overlaps(other.height)) continue;
     const double before = std::min(s.low(leg.half), s.low(-leg.half)), behind = std::max(s.high(leg.half), s.high(-leg.half));
-    if (hole.high > before - least + kPlanTolerance && hole.low < behind + least - kPlanTolerance)
-      throw InputError(key, "is from " + text(hole.low) + " to " + text(hole.high) + " m of the " + leg.tag + ", where the " + other.tag +
-                                " meets it from " + text(before) + " to " + text(behind) + " m; at least " + text(least) +
-                                " m of wall, a fifth of a brick, lie between them");
+    all.push_back({s.end == LegEnd::low ? -kFar : before, s.end == LegEnd::high ? kFar : behind,
+                   "the " + other.tag + " meets it from " + length_text(before) + " to " + length_text(behind) + " m"});
   }
   for (const LegHole& other : leg.holes) {
     if (other.opening == hole.opening || !other.height.overlaps(hole.height)) continue;
-    if (hole.low < other.high + least - kPlanTolerance && hole.high > other.low - least + kPlanTolerance)
-      throw InputError(key, "is from " + text(hole.low) + " to " + text(hole.high) + " m of the " + leg.tag + ", and " +
-                                opening_key(leg.wall, other.opening, other.lintel ? "lintel" : "from") + " from " + text(other.low) +
-                                " to " + text(other.high) + " m; at least " + text(least) + " m of wall lie between them");
+    all.push_back({other.low, other.high,
+                   opening_key(leg.wall, other.opening, other.lintel ? "lintel" : "from") + " is from " + length_text(other.low) + " to " +
+                       length_text(other.high) + " m"});
   }
-  if (leg.ring) return;
-  const double low = leg.end(LegEnd::low) == nullptr ? hole.low : least,
-               high = leg.end(LegEnd::high) == nullptr ? leg.length() - hole.high : least;
-  if (low < least - kPlanTolerance || high < least - kPlanTolerance)
-    throw InputError(key, "is from " + text(hole.low) + " to " + text(hole.high) + " m of the " + leg.tag + ", which is " +
-                              text(leg.length()) + " m long; at least " + text(least) + " m of wall, a fifth of a brick, lie at its end");
+  if (leg.ring) return all;
+  if (leg.end(LegEnd::low) == nullptr) all.push_back({-kFar, 0.0, "it begins"});
+  if (leg.end(LegEnd::high) == nullptr) all.push_back({leg.length(), kFar, "it ends at " + length_text(leg.length()) + " m"});
+  return all;
+}
+
+/// What is in the way of a hole; null: nothing.
+const Obstacle* in_the_way(const std::vector<Obstacle>& all, double low, double high, double least) {
+  const auto hit = std::ranges::find_if(
+      all, [&](const Obstacle& o) { return high > o.low - least + kPlanTolerance && low < o.high + least - kPlanTolerance; });
+  return hit == all.end() ? nullptr : &*hit;
+}
+
+/// Checks that a hole lies a fifth of a brick or more from others and from where walls meet. \param value  of the key, of which `slope` m
+/// move the lower end of the hole by one, and its upper end by `slope_high` \throw InputError at `key`, with the nearest value that fits
+void check_place(const WallSpec& wall, const WallsPlan& plan, const Leg& leg, const LegHole& hole, const std::string& key, double value,
+                 double slope, double slope_high) {
+  const double least = least_piece(wall);
+  const std::vector<Obstacle> all = obstacles_for(plan, leg, hole);
+  const Obstacle* hit = in_the_way(all, hole.low, hole.high, least);
+  if (hit == nullptr) return;
+  double nearest = std::numeric_limits<double>::infinity();
+  const auto attempt = [&](double change) {
+    if (std::isfinite(change) && std::abs(change) < std::abs(nearest) && value + change >= (slope < 0.0 ? least : 0.0) &&
+        in_the_way(all, hole.low + slope * change, hole.high + slope_high * change, least) == nullptr)
+      nearest = change;
+  };
+  for (const Obstacle& o : all) attempt((o.high + least - hole.low) / slope), attempt((o.low - least - hole.high) / slope_high);
+  throw InputError(key, text(value) + " m: the " + leg.tag + " would be open from " + length_text(hole.low) + " to " +
+                            length_text(hole.high) + " m, and " + hit->words + "; at least " + text(least) +
+                            " m of wall, a fifth of a brick, lie between them" +
+                            (std::isfinite(nearest) ? "; nearest: " + text(std::round((value + nearest) * 1e6) * 1e-6) + " m"
+                                                    : "; there is no room for it in this side"));
 }
 
 void add_opening(const WallSpec& wall, std::size_t index, std::size_t opening, WallsPlan& plan) {
@@ -92,9 +128,9 @@ void add_opening(const WallSpec& wall, std::size_t index, std::size_t opening, W
   const Found found = find_stretch(legs, o.from, o.width);
   if (found.leg == nullptr)
     throw InputError(key("from"), text(o.from) + " m to " + text(o.from + o.width) + " m lie in no one side of the wall, whose line is " +
-                                      text(line_length(legs)) + " m long; an opening does not go round a corner");
+                                      length_text(line_length(legs)) + " m long; an opening does not go round a corner");
   LegHole hole{found.low, found.low + o.width, {sill, head}, opening};
-  check_place(wall, plan, *found.leg, hole, key("from"));
+  check_place(wall, plan, *found.leg, hole, key("from"), o.from, 1.0, 1.0);
   found.leg->holes.push_back(hole);
   if (!o.lintel) return;
   const double bearing = o.lintel->bearing;
@@ -105,7 +141,7 @@ void add_opening(const WallSpec& wall, std::size_t index, std::size_t opening, W
   if (head + height > top)
     throw InputError(key("lintel.height"), text(o.lintel->height) + " m ends above the wall; at most " + metres_text(top - head) + " m");
   hole = {hole.low - bearing, hole.high + bearing, {head, head + height}, opening, true};
-  check_place(wall, plan, *found.leg, hole, key("lintel.bearing"));
+  check_place(wall, plan, *found.leg, hole, key("lintel.bearing"), bearing, -1.0, 1.0);
   found.leg->holes.push_back(hole);
 }
 

@@ -211,8 +211,8 @@ void check_spans(const WallSpec& wall, const WallsPlan& plan, const Leg& leg, co
     const std::size_t opening = s.high.opening != kNobody ? s.high.opening : s.low.opening;
     const std::string key = opening == kNobody ? wall_key(leg.wall, "points") : indexed_key(wall_key(leg.wall, "opening"), opening, "from");
     faults.add({key, "leaves a piece of the " + leg.tag + " between " + cause(plan, leg, s.low) + " and " + cause(plan, leg, s.high) + " " +
-                         (side > 0.0 ? text(side) + " m long" : "whose faces cross") + "; at least " + text(least) +
-                         " m, a fifth of a brick"});
+                         (side > 0.0 ? text(std::round(side * 1e4) * 1e-4) + " m long" : "whose faces cross") + "; at least " +
+                         text(least) + " m, a fifth of a brick"});
   }
 }
 

@@ -49,15 +49,20 @@ TEST_CASE("walls that cannot be laid are refused with the key, the value and wha
 TEST_CASE("places along a wall are refused with what lies there") {
   using Walls = std::vector<WallSpec>;
   refuse([](Walls& w) { w[0].openings[0].from = 1.5; }, "wall[0].opening[0].from",
-         "is from 1.5 to 2.5 m of the outer 1 wall, where the inner wall meets it from 1.9 to 2.1 m; at least 0.08 m");
+         "1.5 m: the outer 1 wall would be open from 1.5 to 2.5 m, and the inner wall meets it from 1.9 to 2.1 m; at least 0.08 m of wall, "
+         "a fifth of a brick, lie between them; nearest: 2.18 m");
+  refuse([](Walls& w) { w[0].openings[0].from = 4.2, w[0].openings[0].width = 0.6; }, "wall[0].opening[0].from", "nearest: 4.12 m");
+  refuse([](Walls& w) { w[0].openings[0].from = 2.12, w[0].openings[0].width = 2.6; }, "wall[0].opening[0].from", "no room for it");
   refuse([](Walls& w) { w[0].openings[0].from = 4.5; }, "wall[0].opening[0].from", "does not go round a corner");
-  refuse([](Walls& w) { w[0].openings[0].from = 0.03; }, "wall[0].opening[0].from", "of wall, a fifth of a brick, lie at its end");
+  refuse([](Walls& w) { w[0].openings[0].from = 0.03; }, "wall[0].opening[0].from", "and it begins; at least 0.08 m");
   refuse([](Walls& w) { w[0].openings[0].height = 2.5; }, "wall[0].opening[0].height", "above the wall (2.4 m); at most 2.4 m");
   refuse([](Walls& w) { w[0].openings[0].sill = 2.4; }, "wall[0].opening[0].sill", "0 to below the height of the wall, 2.4 m");
   refuse([](Walls& w) { w[0].openings[0].height = 2.38; }, "wall[0].opening[0].height", "nearest: 2.4 m");
   refuse([](Walls& w) { w[0].openings[0].lintel = WallLintel{0.03, 0.2, {}}; }, "wall[0].opening[0].lintel.bearing", "at least 0.08 m");
   refuse([](Walls& w) { w[0].openings[0].lintel = WallLintel{0.2, 0.5, {}}; }, "wall[0].opening[0].lintel.height", "at most 0.4 m");
-  refuse([](Walls& w) { w[0].openings.push_back(opening(3.85, 0.5, 1.0, 1.0)); }, "wall[0].opening[1].from", "of wall lie between them");
+  refuse([](Walls& w) { w[0].openings.push_back(opening(3.85, 0.5, 1.0, 1.0)); }, "wall[0].opening[1].from",
+         "and wall[0].opening[0].from is from 2.8 to 3.8 m");
+  refuse([](Walls& w) { w[0].openings[0].lintel = WallLintel{0.7, 0.2, {}}; }, "wall[0].opening[0].lintel.bearing", "nearest: 0.62 m");
 }
 
 TEST_CASE("all faults of walls are told at once") {
