@@ -21,6 +21,7 @@
 #include "cases/tables/motion.h"
 #include "cases/tables/output.h"
 #include "cases/tables/time.h"
+#include "cases/walls/wall_case.h"
 #include "geometry/segments/segment_rule.h"
 #include "geometry/vec3.h"
 
@@ -45,6 +46,7 @@ struct Case {
   geometry::SegmentRule segment_rule = geometry::SegmentRule::centres;  // key segments.rule
   Output output;
   std::optional<House> house;
+  std::vector<WallSpec> walls;    // key: wall
   std::vector<BlockSpec> blocks;  // key: block
   std::vector<StonesSpec> stones;
   std::vector<Load> loads;  // key: load

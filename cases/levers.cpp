@@ -39,13 +39,24 @@ Lever coarser(const geometry::Joint& j) {
   return along_s.segments < along_t.segments ? along_s : along_t;
 }
 
+/// Adds the lever of a wall, unless one as thick is there.
+void add_lever(double width, double height, double segment, std::vector<Lever>& out) {
+  if (std::ranges::find(out, width, &Lever::width) == out.end()) out.push_back({width, height, std::max(1.0, std::round(width / segment))});
+}
+
 std::vector<Lever> levers_of_walls(const House& h, const Model& model) {
   const auto brick = std::ranges::find(model.blocks, PartKind::brick, &Block::kind);
   if (brick == model.blocks.end()) return {};
   std::vector<Lever> out;
-  for (const double width : {h.bearing_wall, h.nonbearing_wall}) {
-    if (!out.empty() && out.front().width == width) continue;
-    out.push_back({width, h.height, std::max(1.0, std::round(width / brick->segment_size))});
+  for (const double width : {h.bearing_wall, h.nonbearing_wall}) add_lever(width, h.height, brick->segment_size, out);
+  return out;
+}
+
+std::vector<Lever> levers_of_plan(const Case& c, const Model& model) {
+  std::vector<Lever> out;
+  for (std::size_t i = 0; i < c.walls.size(); ++i) {
+    const auto brick = std::ranges::find(model.blocks, static_cast<std::int32_t>(i), &Block::wall);
+    add_lever(c.walls[i].thickness, c.walls[i].height, brick->segment_size, out);
   }
   return out;
 }
@@ -55,6 +66,7 @@ std::vector<Lever> levers_of_walls(const House& h, const Model& model) {
 std::vector<Lever> levers(const Case& c, const Model& model) {
   if (c.segment_rule == geometry::SegmentRule::rim) return {};
   if (c.house) return levers_of_walls(*c.house, model);
+  if (!c.walls.empty()) return levers_of_plan(c, model);
   Lever coarsest;
   for (std::size_t i = 0; i < model.assembly.joints.size(); ++i) {
     Lever l = coarser(model.assembly.joints[i]);

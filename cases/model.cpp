@@ -20,6 +20,7 @@
 #include "cases/solids/origin.h"
 #include "cases/solids/stone_blocks.h"
 #include "cases/ties.h"
+#include "cases/walls/walls.h"
 #include "geometry/nth.h"
 
 namespace voussoir::cases {
@@ -73,11 +74,25 @@ void add_house(const Case& c, Model& model) {
   }
 }
 
+void add_walls(const Case& c, Model& model) {
+  if (c.walls.empty()) return;
+  const bool on_fixed_block = std::any_of(c.blocks.begin(), c.blocks.end(), [](const BlockSpec& b) { return b.fixed; });
+  if (!c.base && !on_fixed_block && c.stones.empty())
+    throw InputError("base", "a wall needs ground to stand on; add [base] with z = 0.0, or a fixed [[block]]");
+  std::vector<Block> blocks = blocks_of_walls(c.walls, model.materials);
+  number_along_plan(blocks, kCellLengths * c.walls[0].brick[0]);
+  for (Block& block : blocks) {
+    for (Vec3& v : block.shape.vertices) v.z += c.base ? c.base->z : 0.0;
+    model.blocks.push_back(std::move(block));
+  }
+}
+
 /// The key at fault when geometry refuses an element: that of a free block, else of the house.
 std::string key_of(const Model& model, int element) {
   if (element < 0 || static_cast<std::size_t>(element) >= model.blocks.size()) return "";
   if (nth(model.blocks, element).house >= 0) return "house";
   const Block& block = nth(model.blocks, element);
+  if (block.wall >= 0) return indexed_key("wall", static_cast<std::size_t>(block.wall), "");
   if (block.ground >= 0) return indexed_key("base.part", static_cast<std::size_t>(block.ground), "");
   if (block.set >= 0) return indexed_key("stones", static_cast<std::size_t>(block.set), "file");
   return indexed_key("block", static_cast<std::size_t>(block.given), "");
@@ -186,16 +201,20 @@ Model model_of_blocks(const Case& c) {
   Faults faults;
   model.origin = c.origin.value_or(Vec3{});
   name_materials_and_laws(c, model, faults);
-  if (!c.house && c.blocks.empty() && c.stones.empty())
-    throw InputError("", "describes nothing to simulate; give [house], [[block]] or [[stones]], or some of them");
+  if (!c.house && c.walls.empty() && c.blocks.empty() && c.stones.empty())
+    throw InputError("", "describes nothing to simulate; give [house], [[wall]], [[block]] or [[stones]], or some of them");
   faults.attempt([&] {
     if (!c.house) return;
     for (NamedMaterial& loaded : loaded_materials(*c.house, model.materials)) model.materials.push_back(std::move(loaded));
+  });
+  faults.attempt([&] {
+    for (NamedMaterial& loaded : loaded_wall_materials(c.walls, model.materials)) model.materials.push_back(std::move(loaded));
   });
   if (c.base && !c.base->parts.empty()) add_ground_material(model);
   faults.attempt([&] { model.contact_friction = contact_friction(c.contact, model.materials); });
   faults.attempt([&] { check_loads(c); });
   if (c.house) faults.attempt([&] { add_house(c, model); });
+  faults.attempt([&] { add_walls(c, model); });
   faults.attempt([&] { add_free_blocks(c, model); });
   faults.attempt([&] { add_stone_blocks(c, model); });
   if (!faults.any()) add_ground(c, model);
@@ -295,7 +314,7 @@ const char* name(PartKind kind) noexcept {
 
 std::string describe(const Block& block, std::size_t element) {
   const std::string number = "element " + std::to_string(element);
-  if (block.ground >= 0) return block.tag + " (" + number + ")";
+  if (block.ground >= 0 || block.wall >= 0) return block.tag + " (" + number + ")";
   if (block.house < 0) return (block.set < 0 ? "block " : "stone ") + quoted(block.name) + " (" + number + ")";
   return block.tag + " (" + number + (block.house > 0 ? ", house " + std::to_string(block.house) : "") + ")";
 }

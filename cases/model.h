@@ -38,6 +38,7 @@ struct Block {
   Vec3 velocity, angular_velocity;   // initial, m/s and rad/s
   std::int32_t support_motion = -1;  // index into Model::support_motions
   std::int32_t given = -1;           // index into Case::blocks; −1: of a house or of a file
+  std::int32_t wall = -1;            // index into Case::walls; −1: not of [[wall]]
   std::int32_t unit = -1;            // shared by the two halves of a unit (of one house, or of Case::blocks); −1: in one piece
   std::int32_t ground = -1;          // index into Base::parts; −1: not ground
   std::int32_t set = -1;             // index into Case::stones; −1: not from a file
@@ -119,7 +120,7 @@ struct Model {
   std::vector<double> joint_strength;  // by assembly joint: factor on f_t, c and f_m of its law (Case::scatter)
 };
 
-/// Builds blocks (houses first, numbered along their plan, then free blocks, then stones), assembles them and chooses the law of every
+/// Builds blocks (houses first, then walls, numbered along their plan, then free blocks, then stones), assembles them and chooses the law of every
 /// joint. A house stands on the base, so its walls begin at the height of Case::base (0 without a base, on fixed blocks). Motions of
 /// supports given as files stay empty, with the name of the file; io reads them. \pre stones of files have been read (StonesSpec::stones)
 /// by io The law is the first that applies of materials.<name>.inside (pieces of one stone, halves of one unit), the house's own keys,

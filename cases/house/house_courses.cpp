@@ -13,15 +13,6 @@
 namespace voussoir::cases {
 namespace {
 
-/// A height at which a course must end, and the key that requires it.
-struct Level {
-  Tick at = 0;
-  std::string key;       // empty: the foot of the walls
-  double value = 0.0;    // of the key, m
-  bool is_size = false;  // the key is a height above another level, so above zero
-  int sign = 1;          // the level moves up (1) or down with the value
-};
-
 /// Levels in the order: foot, tops of storeys, openings in the order of the case, beams of floors, tops of piers.
 std::vector<Level> levels_of(const House& house, const HousePlan& plan) {
   std::vector<Level> levels{{}, {plan.storeys[0].high, "house.height", house.height, true}};
@@ -63,8 +54,9 @@ InputError too_near(const Level& first, const Level& later, Tick lowest) {
                          metres_text(lowest) + " m high; nearest: " + metres_text(nearest) + " m"};
 }
 
-/// Refuses levels too near to an earlier one that is kept. \return those that are kept
-std::vector<Level> kept(const std::vector<Level>& levels, Tick lowest, Faults& faults) {
+}  // namespace
+
+std::vector<Level> kept_levels(const std::vector<Level>& levels, Tick lowest, Faults& faults) {
   std::vector<Level> good;
   for (const Level& level : levels) {
     const auto near = std::ranges::find_if(good, [&](const Level& earlier) {
@@ -79,10 +71,8 @@ std::vector<Level> kept(const std::vector<Level>& levels, Tick lowest, Faults& f
   return good;
 }
 
-}  // namespace
-
 void plan_courses(const House& house, HousePlan& plan) {
-  const std::vector<Level> levels = kept(levels_of(house, plan), plan.lowest_course(), plan.faults);
+  const std::vector<Level> levels = kept_levels(levels_of(house, plan), plan.lowest_course(), plan.faults);
   std::vector<Tick> beds;
   for (const Level& level : levels) beds.push_back(level.at);
   std::ranges::sort(beds);

@@ -15,10 +15,12 @@ Tick least_thickness(const HousePlan& plan) noexcept { return (2 * plan.brick_wi
 
 }  // namespace
 
-Tick widths_through(const HousePlan& plan, Tick thickness) noexcept {
-  const Tick width = plan.brick_width, nearest = std::max<Tick>(1, (2 * thickness + width) / (2 * width));
-  return 3 * thickness > 4 * width * nearest ? nearest + 1 : nearest;
+Tick whole_number(Tick length, Tick unit) noexcept {
+  const Tick nearest = std::max<Tick>(1, (2 * length + unit) / (2 * unit));
+  return 3 * length > 4 * unit * nearest ? nearest + 1 : nearest;
 }
+
+Tick widths_through(const HousePlan& plan, Tick thickness) noexcept { return whole_number(thickness, plan.brick_width); }
 
 Tick depth_of_widths(const HousePlan& plan, Tick thickness, Tick k) noexcept { return k * thickness / widths_through(plan, thickness); }
 

@@ -36,6 +36,9 @@ template <class C, class Use>
 void each_of_model(C& c, Use use) {
   if (c.house) use(c.house->origin[0], x, "house.origin"), use(c.house->origin[1], y, "house.origin");
   if (c.base) use(c.base->z, z, "base.z");
+  for (std::size_t i = 0; i < c.walls.size(); ++i) {
+    for (auto& p : c.walls[i].points) use(p[0], x, indexed_key("wall", i, "points")), use(p[1], y, indexed_key("wall", i, "points"));
+  }
   for (std::size_t i = 0; i < c.blocks.size(); ++i) each_of_block(c.blocks[i], indexed_key("block", i, "") + ".", use);
   for (std::size_t t = 0; t < c.stones.size(); ++t) {
     const std::string key = indexed_key("stones", t, "file");
@@ -135,6 +138,10 @@ Vec3 suitable_origin(const Case& c, std::span<const geometry::Box3> stones) {
   Ranges ranges;
   if (c.house) add_house(c, ranges);
   if (c.base) ranges[z].add(c.base->z);
+  for (const WallSpec& wall : c.walls) {
+    for (const auto& p : wall.points) ranges[x].add(p[0]), ranges[y].add(p[1]);
+    ranges[z].add(c.base ? c.base->z : 0.0);
+  }
   for (const BlockSpec& block : c.blocks) add_turned(block, ranges);
   for (const StonesSpec& spec : c.stones) {
     for (const Stone& stone : spec.stones) {

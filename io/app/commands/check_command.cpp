@@ -20,6 +20,7 @@
 #include "cases/model.h"
 #include "cases/names.h"
 #include "cases/rules/contact_rules.h"
+#include "cases/walls/walls.h"
 #include "geometry/nth.h"
 #include "io/app/commands/command.h"
 #include "io/app/commands/words/case_words.h"
@@ -108,15 +109,28 @@ void print_bill(const cases::Census& n, const cases::Model& m) {
   }
 }
 
+/// Prints walls of any plan whose bricks were adapted. \param title  of the first line
+void print_adapted_bricks(const cases::Case& c, const char* title) {
+  const auto range = [](double low, double high) {
+    return cases::text(std::round(low * 1e4) * 1e-4) + (high - low < 5e-5 ? "" : " to " + cases::text(std::round(high * 1e4) * 1e-4));
+  };
+  for (const cases::AdaptedBricks& w : cases::adapted_bricks(c.walls)) {
+    std::printf("%s%-24s %s wall: whole ones %s m long, %s m wide, %s m high\n", *title == '\0' ? "" : "\n", title, w.name.c_str(),
+                range(w.shortest, w.longest).c_str(), range(w.width, w.width).c_str(), range(w.lowest, w.highest).c_str());
+    title = "";
+  }
+}
+
 /// Prints walls whose bricks were made wider or narrower for a true thickness.
 void print_adapted_walls(const cases::Case& c) {
-  if (!c.house) return;
   const char* title = "bricks adapted";
+  if (!c.house) return print_adapted_bricks(c, title);
   for (const cases::AdaptedWall& w : cases::adapted_walls(*c.house)) {
     std::printf("%s%-24s %s: %d of %.4g m in place of %.4g m through %.4g m\n", *title == '\0' ? "" : "\n", title, w.name.c_str(), w.bricks,
                 w.width, w.nominal_width, w.thickness);
     title = "";
   }
+  print_adapted_bricks(c, title);
 }
 
 /// Prints the laws of joints as used by runs: strength of the bond, and the friction that remains without it.

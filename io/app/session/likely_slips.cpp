@@ -15,6 +15,7 @@
 #include "cases/names.h"
 #include "cases/rules/joint_rules.h"
 #include "cases/solids/outside.h"
+#include "cases/walls/walls.h"
 #include "geometry/nth.h"
 #include "io/input/motion/motion_files.h"
 #include "io/input/motion/spectra/figures.h"
@@ -193,6 +194,7 @@ std::vector<std::string> slips_of_model(const LoadedCase& c, const cases::Model&
     for (const cases::InputError& rod : cases::rods_in_openings(*c.value.house)) out.push_back(c.describe(rod));
     for (const cases::InputError& opening : cases::unsupported_heads(*c.value.house)) out.push_back(c.describe(opening));
   }
+  for (const cases::InputError& opening : cases::wall_heads_without_lintel(c.value.walls)) out.push_back(c.describe(opening));
   look_at_points(c, model, out);
   return out;
 }

@@ -272,6 +272,7 @@ Table<Case> whole_case() {
                "segments", [](auto& c) -> auto& { return c; }, segments_table()),
            table<S>("output", &S::output, output_table()),
            table<S>("house", &S::house, house_table()),
+           table<S>("wall", &S::walls, wall_table()),
            table<S>("block", &S::blocks, block_table()),
            table<S>("stones", &S::stones, stones_table()),
            table<S>("load", &S::loads, load_table()),

@@ -11,6 +11,7 @@
 #include "cases/tables/loads.h"
 #include "cases/tables/motion.h"
 #include "cases/tables/output.h"
+#include "cases/walls/wall_case.h"
 #include "io/input/case_file/case_keys.h"
 
 /// The option tables of the case file; `case_table` is the root and contains the others.
@@ -26,6 +27,7 @@ Table<cases::Output> output_table();
 Table<cases::BlockSpec> block_table();
 Table<cases::SupportMotion> support_motion_table();
 Table<cases::StonesSpec> stones_table();
+Table<cases::WallSpec> wall_table();
 Table<cases::Load> load_table();
 Table<cases::Analysis> analysis_table();
 /// Checks the keys of the case that [analysis] requires.

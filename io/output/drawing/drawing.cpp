@@ -148,7 +148,9 @@ class Drawing {
     draw_elevation(svg, kElevations[2], {kMargin, top}, high);
     draw_elevation(svg, kElevations[3], {second, top}, high);
     top += high + kCaption + kMargin;
-    const double section = section_height(), course = case_.house ? case_.house->brick[2] + case_.house->mortar : 0.0;
+    const double section = section_height(), course = case_.house            ? case_.house->brick[2] + case_.house->mortar
+                                                      : !case_.walls.empty() ? case_.walls[0].brick[2]
+                                                                             : 0.0;
     draw_plan(svg, section, {kMargin, top}, deep);
     if (course > 0.0) draw_plan(svg, section + course, {second, top}, deep);
     draw_legend(svg, height - kLegend);

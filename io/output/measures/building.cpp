@@ -227,9 +227,12 @@ std::vector<Room> parted(const std::vector<Room>& rooms, const Wall& wall) {
   return all;
 }
 
-void find_rooms(Building& b) {
+/// \param any_plan  whether there are walls of [[wall]], whose rooms need not be rectangles
+void find_rooms(Building& b, bool any_plan) {
   std::map<std::pair<std::int32_t, int>, std::vector<const Wall*>> storeys;
-  for (const Wall& w : b.walls) storeys[{w.house, w.storey}].push_back(&w);
+  for (const Wall& w : b.walls) {
+    if (w.house >= 0 || !any_plan) storeys[{w.house, w.storey}].push_back(&w);
+  }
   for (const auto& [key, walls] : storeys) {
     Box outer = Box::empty();
     for (const Wall* w : walls) outer.include(w->box);
@@ -294,7 +297,7 @@ Building building_of(const Hdf5File& run) {
   b.base = b.has_base ? case_number(run, "base", "z") - origin_of_run(run).z : lowest(b.box);
   find_walls(elements, static_cast<int>(std::lround(case_number(run, "house", "turn") / 90.0)), b);
   find_lintels(elements, b);
-  find_rooms(b);
+  find_rooms(b, has_table(run, "wall"));
   find_covers(elements, b);
   find_courses(elements, b);
   const bool any_house = std::ranges::any_of(elements.house, [](std::int32_t h) { return h >= 0; });

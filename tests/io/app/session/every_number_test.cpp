@@ -56,6 +56,9 @@ std::vector<std::string> cases_of(const std::string& table) {
                                                                       {"stones", {"stones"}},
                                                                       {"stones.turn", {"stones"}},
                                                                       {"segments", {"house"}},
+                                                                      {"wall", {"walls"}},
+                                                                      {"wall.opening", {"walls"}},
+                                                                      {"wall.opening.lintel", {"walls"}},
                                                                       {"house", {"house"}},
                                                                       {"house.rubble", {"rubble"}},
                                                                       {"house.leaves", {"leaves"}},
@@ -133,8 +136,8 @@ std::string last_line(std::string text) {
 TEST_CASE("numbers: each numeric key with numbers that no building has is refused, or its run makes steps and ends") {
   if (shell::kSanitizer) return;  // the limit on memory would be too small
   const Place place;
-  for (const char* name :
-       {"blocks", "shaken", "pushed", "cyclic", "stones", "house", "members", "storeys", "vault", "pitched", "rubble", "leaves", "arch"})
+  for (const char* name : {"blocks", "shaken", "pushed", "cyclic", "stones", "house", "members", "storeys", "vault", "pitched", "rubble",
+                           "leaves", "arch", "walls"})
     REQUIRE_MESSAGE(place.said("run", name, "source=x").code == 0, name);
   const Reference all = reference();
   REQUIRE(all.keys.size() > 150);

@@ -5,12 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "cases/case.h"
 #include "cases/model.h"
 #include "io/input/case_file/case_file.h"
 #include "io/input/case_file/case_keys.h"
 #include "tests/io/temp_folder.h"
 
-// Keys of storeys, inner walls, piers, floors, pitched roofs and parts: all are read, and what is wrong with each is said.
+// Keys of storeys, inner walls, piers, floors, pitched roofs and parts, and of walls of any plan: all are read, and what is wrong with each
+// is said.
 namespace voussoir {
 namespace {
 
@@ -104,6 +106,33 @@ void faulty(const std::string& table, const std::string& line, const std::string
 }
 
 }  // namespace
+
+TEST_CASE("case file: every key of walls is read") {
+  const cases::Case c = io::load_case(VOUSSOIR_SOURCE_DIR "/tests/io/input/case_file/data/every_key.toml").value;
+  REQUIRE(c.walls.size() == 1);
+  const cases::WallSpec& w = c.walls[0];
+  CHECK(w.name == "street");
+  CHECK(w.points == std::vector<std::array<double, 2>>{{0.0, 0.0}, {4.0, 0.5}, {3.0, 4.0}});
+  CHECK(w.closed);
+  CHECK(w.line == cases::WallLine::left);
+  CHECK(w.thickness == 0.38);
+  CHECK(w.base == 0.25);
+  CHECK(w.height == 2.75);
+  CHECK(w.brick == std::array{0.25, 0.125, 0.08});
+  CHECK(w.bond == cases::WallBond::running);
+  CHECK(w.material == "adobe");
+  CHECK(w.meeting == cases::WallMeeting::butt);
+  CHECK(w.load == 350.0);
+  REQUIRE(w.openings.size() == 1);
+  CHECK(w.openings[0].from == 1.5);
+  CHECK(w.openings[0].width == 0.9);
+  CHECK(w.openings[0].sill == 0.8);
+  CHECK(w.openings[0].height == 1.2);
+  REQUIRE(w.openings[0].lintel);
+  CHECK(w.openings[0].lintel->bearing == 0.25);
+  CHECK(w.openings[0].lintel->height == 0.15);
+  CHECK(w.openings[0].lintel->material == "old wood");
+}
 
 TEST_CASE("case file: every key of a building is read") {
   const cases::Case c = read(kBuilding);

@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "cases/walls/wall_courses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "cases/house/house_courses.h"
+#include "cases/house/house_thickness.h"
+#include "cases/names.h"
+#include "cases/walls/wall_meetings.h"
+
+namespace voussoir::cases {
+namespace {
+
+std::string opening_key(std::size_t wall, std::size_t opening, const char* field) {
+  return indexed_key(wall_key(wall, "opening"), opening, field);
+}
+
+/// The legs of a wall.
+std::vector<Leg*> legs_of(WallsPlan& plan, std::size_t wall) {
+  std::vector<Leg*> all;
+  for (Leg& l : plan.legs) {
+    if (l.wall == wall) all.push_back(&l);
+  }
+  return all;
+}
+
+/// A stretch of a wall's line, found in a leg.
+struct Found {
+  Leg* leg = nullptr;
+  double low = 0.0;  // m, of s
+};
+
+/// The leg that holds a stretch of the wall's line from end to end. The places along a closed wall go on at its first point.
+Found find_stretch(const std::vector<Leg*>& legs, double from, double width) {
+  for (Leg* leg : legs) {
+    for (const Facet& f : leg->facets) {
+      if (from < f.place - kPlanTolerance || from > f.place + f.length) continue;
+      const double low = f.start + (from - f.place);
+      if (low + width <= leg->length() + kPlanTolerance || leg->ring) return {leg, low};
+    }
+  }
+  return {};
+}
+
+double line_length(const std::vector<Leg*>& legs) {
+  double sum = 0.0;
+  for (const Leg* l : legs) sum += l->length();
+  return sum;
+}
+
+/// A length in messages, to a tenth of a millimetre.
+std::string length_text(double v) { return text(std::round(v * 1e4) * 1e-4); }
+
+/// A stretch of a leg in which a hole may not lie, with what is there.
+struct Obstacle {
+  double low = 0.0, high = 0.0;  // m, of s; infinite beyond the ends
+  std::string words;
+};
+
+/// Obstacles for a hole: where other legs meet this one, other openings, the free ends.
+std::vector<Obstacle> obstacles_for(const WallsPlan& plan, const Leg& leg, const LegHole& hole) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  std::vector<Obstacle> all;
+  for (const Station& s : leg.stations) {
+    const Meeting& m = plan.meetings[s.meeting];
+    const Leg& other = plan.legs[s.host ? m.guest : m.host];
+    if (!hole.height.overlaps(other.height)) continue;
+    const double before = std::min(s.low(leg.half), s.low(-leg.half)), behind = std::max(s.high(leg.half), s.high(-leg.half));
+    all.push_back({s.end == LegEnd::low ? -kFar : before, s.end == LegEnd::high ? kFar : behind,
+                   "the " + other.tag + " meets it from " + length_text(before) + " to " + length_text(behind) + " m"});
+  }
+  for (const LegHole& other : leg.holes) {
+    if (other.opening == hole.opening || !other.height.overlaps(hole.height)) continue;
+    all.push_back({other.low, other.high,
+                   opening_key(leg.wall, other.opening, other.lintel ? "lintel" : "from") + " is from " + length_text(other.low) + " to " +
+                       length_text(other.high) + " m"});
+  }
+  if (leg.ring) return all;
+  if (leg.end(LegEnd::low) == nullptr) all.push_back({-kFar, 0.0, "it begins"});
+  if (leg.end(LegEnd::high) == nullptr) all.push_back({leg.length(), kFar, "it ends at " + length_text(leg.length()) + " m"});
+  return all;
+}
+
+/// What is in the way of a hole; null: nothing.
+const Obstacle* in_the_way(const std::vector<Obstacle>& all, double low, double high, double least) {
+  const auto hit = std::ranges::find_if(
+      all, [&](const Obstacle& o) { return high > o.low - least + kPlanTolerance && low < o.high + least - kPlanTolerance; });
+  return hit == all.end() ? nullptr : &*hit;
+}
+
+/// Checks that a hole lies a fifth of a brick or more from others and from where walls meet. \param value  of the key, of which `slope` m
+/// move the lower end of the hole by one, and its upper end by `slope_high` \throw InputError at `key`, with the nearest value that fits
+void check_place(const WallSpec& wall, const WallsPlan& plan, const Leg& leg, const LegHole& hole, const std::string& key, double value,
+                 double slope, double slope_high) {
+  const double least = least_piece(wall);
+  const std::vector<Obstacle> all = obstacles_for(plan, leg, hole);
+  const Obstacle* hit = in_the_way(all, hole.low, hole.high, least);
+  if (hit == nullptr) return;
+  double nearest = std::numeric_limits<double>::infinity();
+  const auto attempt = [&](double change) {
+    if (std::isfinite(change) && std::abs(change) < std::abs(nearest) && value + change >= (slope < 0.0 ? least : 0.0) &&
+        in_the_way(all, hole.low + slope * change, hole.high + slope_high * change, least) == nullptr)
+      nearest = change;
+  };
+  for (const Obstacle& o : all) attempt((o.high + least - hole.low) / slope), attempt((o.low - least - hole.high) / slope_high);
+  throw InputError(key, text(value) + " m: the " + leg.tag + " would be open from " + length_text(hole.low) + " to " +
+                            length_text(hole.high) + " m, and " + hit->words + "; at least " + text(least) +
+                            " m of wall, a fifth of a brick, lie between them" +
+                            (std::isfinite(nearest) ? "; nearest: " + text(std::round((value + nearest) * 1e6) * 1e-6) + " m"
+                                                    : "; there is no room for it in this side"));
+}
+
+void add_opening(const WallSpec& wall, std::size_t index, std::size_t opening, WallsPlan& plan) {
+  const WallOpening& o = wall.openings[opening];
+  const auto key = [&](const char* field) { return opening_key(index, opening, field); };
+  positive_length(o.width, key("width")), positive_length(o.height, key("height"));
+  if (!(o.sill >= 0.0 && o.sill < wall.height))
+    throw InputError(key("sill"), text(o.sill) + " m; allowed: 0 to below the height of the wall, " + text(wall.height) + " m");
+  const Tick foot = ticks(wall.base), sill = foot + ticks(o.sill), head = sill + ticks(o.height), top = ticks(wall.base + wall.height);
+  if (head > top)
+    throw InputError(key("height"), text(o.height) + " m ends at " + text(o.sill + o.height) + " m, above the wall (" + text(wall.height) +
+                                        " m); at most " + metres_text(top - sill) + " m");
+  const std::vector<Leg*> legs = legs_of(plan, index);
+  const Found found = find_stretch(legs, o.from, o.width);
+  if (found.leg == nullptr)
+    throw InputError(key("from"), text(o.from) + " m to " + text(o.from + o.width) + " m lie in no one side of the wall, whose line is " +
+                                      length_text(line_length(legs)) + " m long; an opening does not go round a corner");
+  LegHole hole{found.low, found.low + o.width, {sill, head}, opening};
+  check_place(wall, plan, *found.leg, hole, key("from"), o.from, 1.0, 1.0);
+  found.leg->holes.push_back(hole);
+  if (!o.lintel) return;
+  const double bearing = o.lintel->bearing;
+  if (!(bearing >= least_piece(wall)))
+    throw InputError(key("lintel.bearing"),
+                     text(bearing) + " m is less than a fifth of a brick; at least " + text(least_piece(wall)) + " m");
+  const Tick height = positive_length(o.lintel->height, key("lintel.height"));
+  if (head + height > top)
+    throw InputError(key("lintel.height"), text(o.lintel->height) + " m ends above the wall; at most " + metres_text(top - head) + " m");
+  hole = {hole.low - bearing, hole.high + bearing, {head, head + height}, opening, true};
+  check_place(wall, plan, *found.leg, hole, key("lintel.bearing"), bearing, -1.0, 1.0);
+  found.leg->holes.push_back(hole);
+}
+
+/// Levels of a wall in the order: foot, top, openings.
+void add_levels(const WallSpec& wall, std::size_t index, std::vector<Level>& levels) {
+  const Tick foot = ticks(wall.base);
+  levels.push_back({foot, wall_key(index, "base"), wall.base});
+  levels.push_back({ticks(wall.base + wall.height), wall_key(index, "height"), wall.height, true});
+  for (std::size_t i = 0; i < wall.openings.size(); ++i) {
+    const WallOpening& o = wall.openings[i];
+    const Tick sill = foot + ticks(o.sill), head = sill + ticks(o.height);
+    levels.push_back({sill, opening_key(index, i, "sill"), o.sill});
+    levels.push_back({head, opening_key(index, i, "height"), o.height, true});
+    if (o.lintel) levels.push_back({head + ticks(o.lintel->height), opening_key(index, i, "lintel.height"), o.lintel->height, true});
+  }
+}
+
+/// Courses between two levels: equal, and as near to a brick's height as whole numbers allow.
+void add_courses(Interval between, Tick brick, Courses& courses) {
+  const Tick n = whole_number(between.length(), brick);
+  for (Tick i = 0; i < n; ++i) courses.push_back({between.low + between.length() * i / n, between.low + between.length() * (i + 1) / n});
+}
+
+}  // namespace
+
+void add_wall_openings(const std::vector<WallSpec>& walls, WallsPlan& plan) {
+  Faults faults;
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    for (std::size_t i = 0; i < walls[w].openings.size(); ++i) faults.attempt([&] { add_opening(walls[w], w, i, plan); });
+  }
+  faults.raise();
+  for (Leg& l : plan.legs) std::ranges::sort(l.holes, {}, &LegHole::low);
+}
+
+void plan_wall_courses(const std::vector<WallSpec>& walls, WallsPlan& plan) {
+  Faults faults;
+  plan.courses.resize(walls.size());
+  for (std::size_t first = 0; first < walls.size(); ++first) {
+    if (plan.group[first] != first) continue;
+    std::vector<Level> levels;
+    const Tick brick = plan.bricks[first].brick_height;
+    for (std::size_t w = first; w < walls.size(); ++w) {
+      if (plan.group[w] != first) continue;
+      if (plan.bricks[w].brick_height != brick)
+        faults.add({wall_key(w, "brick"), "is " + text(walls[w].brick[2]) +
+                                              " m high, but walls that meet have the same courses; allowed: " +
+                                              text(walls[first].brick[2]) + " m, as of the wall " + quoted(walls[first].name)});
+      add_levels(walls[w], w, levels);
+    }
+    std::vector<Tick> beds;
+    for (const Level& l : kept_levels(levels, std::max<Tick>(1, brick / 5), faults)) beds.push_back(l.at);
+    std::ranges::sort(beds);
+    beds.erase(std::unique(beds.begin(), beds.end()), beds.end());
+    for (std::size_t i = 0; i + 1 < beds.size(); ++i) add_courses({beds[i], beds[i + 1]}, brick, plan.courses[first]);
+  }
+  faults.raise();
+}
+
+}  // namespace voussoir::cases

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "cases/house/house_plan.h"
+#include "cases/walls/wall_case.h"
+#include "geometry/vec3.h"
+
+/// The plan of walls: straight parts, places where they meet, openings, courses. Internal to cases/.
+///
+/// A leg is a part of a wall from corner to corner. Its own coordinates: s along its middle line, d across from the middle line to the
+/// left, height. All blocks are upright prisms, so a course is a division of the plan into convex polygons.
+namespace voussoir::cases {
+
+constexpr double kPlanTolerance = 1e-6;  // m: less is nothing; geometry takes planes so near for one
+
+/// A straight part of a leg. Points and directions have z = 0.
+struct Facet {
+  Vec3 from;            // m, on the middle line
+  Vec3 along, across;   // unit vectors; across: to the left
+  double start = 0.0;   // m, of s
+  double length = 0.0;  // m
+  double place = 0.0;   // m, of its start along the wall's line from the first point
+};
+
+/// A plane across a leg: s = at + slope * d.
+struct Cut {
+  double at = 0.0, slope = 0.0;
+  [[nodiscard]] double operator()(double d) const noexcept { return at + slope * d; }
+};
+
+/// Which end of a leg a meeting is at.
+enum class LegEnd { low, high, none };
+
+/// The strip of another leg across a leg.
+struct Station {
+  std::size_t meeting = 0;  // index into WallsPlan::meetings
+  bool host = false;        // whether this leg is the host of the meeting
+  LegEnd end = LegEnd::none;
+  Cut low, high;
+};
+
+/// A place where two legs meet. The host runs through in even courses; in odd ones the guests at one place do so in turn.
+struct Meeting {
+  std::size_t host = 0, guest = 0;  // legs
+  bool toothed = true;              // false: the host runs through in all courses
+  int turn = 0, turns = 1;          // of the guest, among all at its place
+};
+
+/// A part of a leg without bricks: an opening, or the seat of a lintel.
+struct LegHole {
+  double low = 0.0, high = 0.0;  // m, of s
+  Interval height;               // above the base
+  std::size_t opening = 0;       // of the wall
+  bool lintel = false;
+};
+
+struct Leg {
+  std::size_t wall = 0;  // of the case
+  std::string tag;       // "street wall"; of several legs "street 2 wall"; not along x or y: "street 2 walling", for
+                         // drift is measured of walls along x or y
+  double half = 0.0;     // m, half the thickness
+  double line = 0.0;     // m, d of the wall's line
+  bool ring = false;     // closed without a corner: s goes on at 0
+  std::vector<Facet> facets;
+  std::vector<Station> stations;  // ascending
+  std::vector<LegHole> holes;     // ascending
+  Interval height;                // above the base
+
+  [[nodiscard]] double length() const noexcept { return facets.back().start + facets.back().length; }
+  /// The point (s, d) in plan; across a bend d runs along the bisector.
+  [[nodiscard]] Vec3 at(double s, double d) const noexcept;
+  [[nodiscard]] const Station* end(LegEnd which) const noexcept;
+};
+
+/// A course of the walls that are joined; all of them have the same.
+using Courses = std::vector<Interval>;
+
+struct WallsPlan {
+  std::vector<Leg> legs;
+  std::vector<Meeting> meetings;
+  std::vector<std::size_t> group;  // by wall: walls that meet have the same
+  std::vector<Courses> courses;    // by group
+  std::vector<HousePlan> bricks;   // by wall: size of its bricks and its bond, for wythes()
+};
+
+/// Checks all walls and lays out their plan. \throw InputError, or InputErrors with all that is at fault
+WallsPlan plan_walls(const std::vector<WallSpec>& walls);
+
+/// Key of a wall: "wall[1].points".
+std::string wall_key(std::size_t wall, const char* field);
+
+/// Least length of a piece of a wall [m]: a fifth of a brick.
+double least_piece(const WallSpec& wall) noexcept;
+
+/// The layers of a course from the right face to the left: cases/house/house_wall.h.
+struct Wythe;
+std::vector<Wythe> wythes_of(const WallSpec& wall, const HousePlan& bricks, int course);
+
+}  // namespace voussoir::cases

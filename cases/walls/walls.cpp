@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "cases/walls/walls.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cases/house/house_parts.h"
+#include "cases/house/house_thickness.h"
+#include "cases/house/house_wall.h"
+#include "cases/names.h"
+#include "cases/walls/wall_layout.h"
+#include "cases/walls/wall_plan.h"
+
+namespace voussoir::cases {
+namespace {
+
+std::string loaded_name(const WallSpec& wall) { return wall.material + " under " + text(wall.load) + " kg/m on " + wall.name; }
+
+/// An upright prism over a quadrangle in plan.
+geometry::Polyhedron upright(const std::array<Vec3, 4>& plan, Interval height) {
+  std::array<Vec3, 8> corners;
+  for (std::size_t i = 0; i < 4; ++i) {
+    corners[i] = {plan[i].x, plan[i].y, metres(height.low)};
+    corners[i + 4] = {plan[i].x, plan[i].y, metres(height.high)};
+  }
+  return geometry::make_hexahedron(corners);
+}
+
+const Courses& courses_of(const WallsPlan& plan, std::size_t wall) { return plan.courses[plan.group[wall]]; }
+
+/// Materials of a wall, indices into Model::materials.
+struct WallMaterials {
+  std::int32_t bricks = 0, top = 0;
+  std::vector<std::int32_t> lintels;  // by opening; of those without one that of the wall
+};
+
+WallMaterials materials_of(const WallSpec& wall, std::size_t index, std::span<const NamedMaterial> materials, Faults& faults) {
+  WallMaterials found;
+  faults.attempt([&] { found.bricks = find_material(materials, wall.material, wall_key(index, "material")); });
+  for (std::size_t i = 0; i < wall.openings.size(); ++i) {
+    const auto& lintel = wall.openings[i].lintel;
+    found.lintels.push_back(found.bricks);
+    if (!lintel || !lintel->material) continue;
+    const std::string key = indexed_key(wall_key(index, "opening"), i, "lintel.material");
+    faults.attempt([&] { found.lintels.back() = find_material(materials, *lintel->material, key); });
+  }
+  return found;
+}
+
+void add_bricks(const WallSpec& wall, const WallsPlan& plan, const Leg& leg, std::size_t course, const WallMaterials& materials,
+                std::vector<Block>& blocks) {
+  const Interval height = courses_of(plan, leg.wall)[course];
+  const HousePlan& bricks = plan.bricks[leg.wall];
+  Block block;
+  block.kind = PartKind::walling;
+  block.tag = leg.tag;
+  block.wall = static_cast<std::int32_t>(leg.wall);
+  block.material = height.high == leg.height.high ? materials.top : materials.bricks;
+  block.segment_size = segment_size_of(bricks.brick_length, bricks.brick_width, bricks.brick_height);
+  for (const PlanBrick& b : lay_wall_course(wall, plan, leg, static_cast<int>(course))) {
+    block.shape = upright(b.corners, height);
+    block.whole = b.whole;
+    blocks.push_back(block);
+  }
+}
+
+void add_lintels(const WallSpec& wall, const Leg& leg, const WallMaterials& materials, std::vector<Block>& blocks) {
+  for (const LegHole& h : leg.holes) {
+    if (!h.lintel) continue;
+    Block block;
+    block.kind = PartKind::lintel;
+    block.tag = leg.tag.substr(0, leg.tag.rfind(' ')) + " lintel";
+    block.wall = static_cast<std::int32_t>(leg.wall);
+    block.material = materials.lintels[h.opening];
+    block.segment_size = segment_size_of(ticks(h.high - h.low), ticks(wall.thickness), h.height.length());
+    block.shape =
+        upright({leg.at(h.low, -leg.half), leg.at(h.high, -leg.half), leg.at(h.high, leg.half), leg.at(h.low, leg.half)}, h.height);
+    blocks.push_back(block);
+  }
+}
+
+}  // namespace
+
+std::vector<Block> blocks_of_walls(const std::vector<WallSpec>& walls, std::span<const NamedMaterial> materials) {
+  Faults faults;
+  std::vector<WallMaterials> of_wall;
+  for (std::size_t i = 0; i < walls.size(); ++i) of_wall.push_back(materials_of(walls[i], i, materials, faults));
+  WallsPlan plan;
+  faults.attempt([&] { plan = plan_walls(walls); });
+  faults.raise();
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    of_wall[i].top = walls[i].load > 0.0 ? find_material(materials, loaded_name(walls[i]), wall_key(i, "load")) : of_wall[i].bricks;
+  }
+  std::vector<Block> blocks;
+  for (const Leg& leg : plan.legs) {
+    const Courses& courses = courses_of(plan, leg.wall);
+    for (std::size_t c = 0; c < courses.size(); ++c) {
+      if (leg.height.overlaps(courses[c])) add_bricks(walls[leg.wall], plan, leg, c, of_wall[leg.wall], blocks);
+    }
+    add_lintels(walls[leg.wall], leg, of_wall[leg.wall], blocks);
+  }
+  return blocks;
+}
+
+std::vector<NamedMaterial> loaded_wall_materials(const std::vector<WallSpec>& walls, std::span<const NamedMaterial> materials) {
+  std::vector<NamedMaterial> all;
+  if (std::ranges::none_of(walls, [](const WallSpec& w) { return w.load > 0.0; })) return all;
+  const WallsPlan plan = plan_walls(walls);
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    if (walls[i].load == 0.0) continue;
+    const std::int32_t bare = find_material(materials, walls[i].material, wall_key(i, "material"));
+    const Tick top = ticks(walls[i].base + walls[i].height);
+    const auto course = std::ranges::find(courses_of(plan, i), top, &Interval::high);
+    NamedMaterial loaded{loaded_name(walls[i]), materials[static_cast<std::size_t>(bare)].value, bare};
+    loaded.value.density += walls[i].load / (walls[i].thickness * metres(course->length()));
+    all.push_back(std::move(loaded));
+  }
+  return all;
+}
+
+std::vector<AdaptedBricks> adapted_bricks(const std::vector<WallSpec>& walls) {
+  const WallsPlan plan = plan_walls(walls);
+  std::vector<AdaptedBricks> all;
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    const auto& [length, width, height] = walls[i].brick;
+    AdaptedBricks a{walls[i].name, length, length, width, height, height};
+    const Tick thickness = ticks(walls[i].thickness);
+    if (walls[i].bond != WallBond::through) a.width = metres(thickness) / static_cast<double>(widths_through(plan.bricks[i], thickness));
+    for (const Leg& leg : plan.legs) {
+      if (leg.wall != i) continue;
+      const auto [least, most] = brick_stretch(walls[i], plan, leg);
+      a.shortest = std::min(a.shortest, least * length), a.longest = std::max(a.longest, most * length);
+      for (const Interval course : courses_of(plan, i)) {
+        if (!leg.height.overlaps(course)) continue;
+        a.lowest = std::min(a.lowest, metres(course.length())), a.highest = std::max(a.highest, metres(course.length()));
+      }
+    }
+    const double most =
+        std::max({length - a.shortest, a.longest - length, std::abs(a.width - width), height - a.lowest, a.highest - height});
+    if (most > kPlanTolerance) all.push_back(a);
+  }
+  return all;
+}
+
+std::vector<InputError> wall_heads_without_lintel(const std::vector<WallSpec>& walls) {
+  std::vector<InputError> found;
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    for (std::size_t i = 0; i < walls[w].openings.size(); ++i) {
+      const WallOpening& o = walls[w].openings[i];
+      if (o.lintel || 2.0 * o.width <= walls[w].brick[0] || ticks(o.sill + o.height) >= ticks(walls[w].height)) continue;
+      found.emplace_back(indexed_key(wall_key(w, "opening"), i, ""), "the opening in the wall " + quoted(walls[w].name) + ", " +
+                                                                         text(o.width) +
+                                                                         " m wide, has masonry above it and nothing that carries it; give "
+                                                                         "it a lintel");
+    }
+  }
+  return found;
+}
+
+}  // namespace voussoir::cases

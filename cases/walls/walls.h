@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cases/input_error.h"
+#include "cases/model.h"
+#include "cases/walls/wall_case.h"
+
+namespace voussoir::cases {
+
+/// Turns [[wall]] into blocks: bricks in bond with toothed corners, lintels. The base is z = 0. Blocks come wall by wall, course by course,
+/// each wall's lintels behind its bricks. Block::wall counts the walls.
+/// \param materials  Model::materials with those of loaded_wall_materials()
+/// \throw InputError, or InputErrors with all that is at fault
+std::vector<Block> blocks_of_walls(const std::vector<WallSpec>& walls, std::span<const NamedMaterial> materials);
+
+/// Materials of the top courses of walls with a load: that of the wall, with the mass of the load added to its density. \throw InputError
+/// for a material that is not known
+std::vector<NamedMaterial> loaded_wall_materials(const std::vector<WallSpec>& walls, std::span<const NamedMaterial> materials);
+
+/// A wall whose bricks are adapted to its dimensions. \pre blocks_of_walls() finds no fault
+struct AdaptedBricks {
+  std::string name;
+  double shortest = 0.0, longest = 0.0;  // m, of whole bricks along it
+  double width = 0.0;                    // m
+  double lowest = 0.0, highest = 0.0;    // m, of its courses
+};
+/// One for each wall of which any of these differs from the brick of the case.
+std::vector<AdaptedBricks> adapted_bricks(const std::vector<WallSpec>& walls);
+
+/// Openings with masonry above them and nothing that carries it. \pre as above
+std::vector<InputError> wall_heads_without_lintel(const std::vector<WallSpec>& walls);
+
+}  // namespace voussoir::cases
