@@ -54,8 +54,8 @@ struct SupportHistory {
   std::vector<double> time;        // s, ascending
   std::vector<Vec3> displacement;  // m
   bool open_ended = false;
-  std::string file;  // not empty: file still to be read (t, x, y, z); relative to Case::folder
-  std::string key;   // of the file in the case file, for messages
+  std::string file{};  // not empty: file still to be read (t, x, y, z); relative to Case::folder
+  std::string key{};   // of the file in the case file, for messages
 };
 
 /// Value of a history at a time [s]. \pre its file has been read
@@ -120,13 +120,13 @@ struct Model {
   std::vector<double> joint_strength;  // by assembly joint: factor on f_t, c and f_m of its law (Case::scatter)
 };
 
-/// Builds blocks (houses first, then walls, numbered along their plan, then free blocks, then stones), assembles them and chooses the law of every
-/// joint. A house stands on the base, so its walls begin at the height of Case::base (0 without a base, on fixed blocks). Motions of
-/// supports given as files stay empty, with the name of the file; io reads them. \pre stones of files have been read (StonesSpec::stones)
-/// by io The law is the first that applies of materials.<name>.inside (pieces of one stone, halves of one unit), the house's own keys,
-/// stones.joint, joints.between, joints.default; between two beds of stones.gap it has mortar of that thickness.
-/// \param threads  number of threads; the model does not depend on it
-/// \throw InputError with the key at fault; faults of geometry are reported by the name or tag of the block.
+/// Builds blocks (houses first, then walls, numbered along their plan, then free blocks, then stones), assembles them and chooses the law
+/// of every joint. A house stands on the base, so its walls begin at the height of Case::base (0 without a base, on fixed blocks). Motions
+/// of supports given as files stay empty, with the name of the file; io reads them. \pre stones of files have been read
+/// (StonesSpec::stones) by io The law is the first that applies of materials.<name>.inside (pieces of one stone, halves of one unit), the
+/// house's own keys, stones.joint, joints.between, joints.default; between two beds of stones.gap it has mortar of that thickness. \param
+/// threads  number of threads; the model does not depend on it \throw InputError with the key at fault; faults of geometry are reported by
+/// the name or tag of the block.
 Model build_model(const Case& c, int threads = 1);
 
 /// The element whose centroid is nearest to `point` [m, global]; the lowest number among elements equally near (to 1 nm).

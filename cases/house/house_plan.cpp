@@ -242,9 +242,9 @@ const WallPlan& HousePlan::wall(Side side, int storey) const noexcept {
   return *std::ranges::find_if(walls, is_it);
 }
 
-const WallPlan& HousePlan::wall_at(Side side, Tick height) const noexcept {
+const WallPlan& HousePlan::wall_at(Side side, Tick at) const noexcept {
   int storey = 0;
-  while (storey + 1 < static_cast<int>(storeys.size()) && height >= nth(storeys, storey).high) ++storey;
+  while (storey + 1 < static_cast<int>(storeys.size()) && at >= nth(storeys, storey).high) ++storey;
   return wall(side, storey);
 }
 

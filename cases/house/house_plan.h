@@ -104,7 +104,7 @@ struct HousePlan {
   /// The outer wall of the uppermost storey, on which the roof lies.
   [[nodiscard]] const WallPlan& wall(Side side) const noexcept { return wall(side, static_cast<int>(storeys.size()) - 1); }
   /// The outer wall of the storey that contains a height.
-  [[nodiscard]] const WallPlan& wall_at(Side side, Tick height) const noexcept;
+  [[nodiscard]] const WallPlan& wall_at(Side side, Tick at) const noexcept;
   [[nodiscard]] int course_count() const noexcept { return static_cast<int>(courses.size()); }
   /// Least height of a course: half a brick.
   [[nodiscard]] Tick lowest_course() const noexcept { return (brick_height + 1) / 2; }

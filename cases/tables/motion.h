@@ -25,8 +25,8 @@ enum class IntensityOf { each, geometric_mean, rotd50, larger };
 /// Intensity level to which a motion is scaled (io/input/motion/spectra/intensity.h).
 struct MotionIntensity {
   IntensityMeasure measure = IntensityMeasure::pga;
-  double level = 0.0;            // m/s2; for PGV m/s
-  std::optional<double> period;  // s, for Sa only
+  double level = 0.0;              // m/s2; for PGV m/s
+  std::optional<double> period{};  // s, for Sa only
   IntensityOf components = IntensityOf::each;
 };
 

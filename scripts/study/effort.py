@@ -76,7 +76,7 @@ def checked(case, folder, bills):
     kept = bills / f"{pathlib.Path(case).stem}.txt" if bills else None
     if kept and kept.exists():
         return kept.read_text()
-    done = subprocess.run([program.program(), "check", case, "-j", "1"], cwd=folder, capture_output=True, text=True, check=False)
+    done = subprocess.run([program.program(), "check", case, "--bill", "-j", "1"], cwd=folder, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         sys.exit(f"effort.py: voussoir check {case}: {done.stderr.strip()}")
     if kept:

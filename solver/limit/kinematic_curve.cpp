@@ -39,7 +39,7 @@ struct HingePoint {
 /// Places of the parts: centre of mass, and rotation since the beginning.
 struct Place {
   Vec3 centre;
-  Mat3 turn;
+  Mat3 turn{};
 };
 
 Vec3 turned(const Place& p, Vec3 arm) { return p.turn * arm; }

@@ -78,11 +78,8 @@ double search_margin(const World& w, double skin) { return std::min(0.1 * skin, 
 
 void set_up_multirate(World& w, const cases::Case& c) {
   Multirate& m = w.multirate;
-  m.wanted = c.time.multirate;
+  m.wanted = c.rates();
   if (m.wanted == 1) return;
-  if (cases::is_assessment(c.analysis))
-    throw cases::InputError("time.multirate",
-                            "= " + std::to_string(m.wanted) + " goes with time histories alone; allowed with [analysis]: 1");
   m.every = steps_by_level(m.wanted);
   if (m.every.back() != m.wanted || m.every.size() > Multirate::kMostLevels)
     throw cases::InputError("time.multirate", "= " + std::to_string(m.wanted) + "; allowed: 1, 2, 4, 8");

@@ -23,6 +23,7 @@
 #include "cases/walls/walls.h"
 #include "geometry/nth.h"
 #include "io/app/commands/command.h"
+#include "io/app/commands/words/bill.h"
 #include "io/app/commands/words/case_words.h"
 #include "io/app/commands/words/common_words.h"
 #include "io/app/session/exit_code.h"
@@ -52,6 +53,7 @@ struct CheckOptions {
   std::string draw;  // SVG file for a drawing; empty: none
   bool overwrite = false;
   bool json = false;
+  bool bill = false;  // all of it
 };
 
 struct CheckWords {
@@ -63,6 +65,9 @@ struct CheckWords {
 constexpr double kTrialTime = 0.3;  // s of wall-clock time
 constexpr int kWarmUp = 10, kMostTrialSteps = 2000;
 constexpr double kCollapse = 10.0;
+// Of an analysis from one state of rest to the next, as measured on ready houses: the time of so many steps of the intact model in all;
+// times that where much breaks (cases/catalogue/capacity.md).
+constexpr double kRestSteps = 360'000.0, kMuchBreaks = 5.0;
 constexpr double kRamp = 1.0, kWaitForRest = 0.5;  // s, simulated: the default ramp, a typical waiting time
 constexpr double kMegabyte = 1e6;
 
@@ -89,23 +94,6 @@ void print_parts(const cases::Census& n) {
   std::printf("\n%-24s %10s %8s %12s\n", "part", "whole", "cut", "mass [kg]");
   for (const cases::CensusGroup& g : n.groups) {
     std::printf("%-24s %10s %8s %12.1f\n", g.name.c_str(), format_count(g.whole).c_str(), format_count(g.cut).c_str(), g.mass);
-  }
-}
-
-std::string dimensions(const cases::BillLine& line) {
-  if (line.faces > 0) return "polyhedron of " + std::to_string(line.faces) + " faces";
-  if (line.edges[0] == 0.0) return line.corners == 4 ? "hexahedron" : "prism of " + std::to_string(line.corners) + " corners";
-  std::string text;
-  for (const double edge : line.edges) text += (text.empty() ? "" : " x ") + cases::text(edge);
-  return text + " m";
-}
-
-void print_bill(const cases::Census& n, const cases::Model& m) {
-  std::printf("\n%-52s %10s %12s\n", "bill of blocks", "count", "volume [m3]");
-  for (const cases::BillLine& line : n.bill) {
-    const std::string what =
-        nth(m.materials, line.material).name + " " + cases::name(line.kind) + (line.whole ? ", " : ", cut, ") + dimensions(line);
-    std::printf("%-52s %10s %12.4f\n", what.c_str(), format_count(line.count).c_str(), line.volume);
   }
 }
 
@@ -243,6 +231,13 @@ bool print_estimate(const cases::Case& c, const cases::Census& n, solver::Simula
   const double disk = frames * elements * 32.0 + rows * (8.0 + 72.0 * static_cast<double>(c.output.history.size()) + 56.0);
   bool sound = true;
   try {
+    if (cases::finds_rest(c.analysis)) {
+      const double usual = kRestSteps * time_a_step(sim);
+      std::printf("\nestimate, %d threads      some %s, %.0f times that where much breaks (steps were timed on this machine)\n",
+                  sim.threads(), format_duration(usual).c_str(), kMuchBreaks);
+      std::printf("memory                   about %.0f MB\n", memory / kMegabyte);
+      return true;
+    }
     const double intact = (c.end() + settling_time(c)) / sim.dt() * time_a_step(sim);
     std::printf("\nestimate, %d threads      %s if nothing breaks, some %s if it collapses (steps were timed on this machine)\n",
                 sim.threads(), format_duration(intact).c_str(), format_duration(kCollapse * intact).c_str());
@@ -340,7 +335,7 @@ int check(const LoadedCase& c, const CheckOptions& o, int threads) {
   print_friction(c.value.contact);
   print_loading(c.value, motion);
   print_parts(n);
-  print_bill(n, model);
+  std::printf("%s", bill_words(n, model, o.bill).c_str());
   print_adapted_walls(c.value);
   print_tie_bill(model);
   const bool sound = print_estimate(c.value, n, sim);
@@ -382,6 +377,7 @@ Command add_check(CLI::App& program) {
   add_short_keys(*words, w->c);
   words->add_option("--draw", w->o.draw, "write a drawing to this SVG file: plans of two courses and four elevations");
   words->add_flag("--overwrite", w->o.overwrite, "replace an existing drawing");
+  words->add_flag("--bill", w->o.bill, "the whole bill of blocks, not only the kinds with most volume");
   add_format(*words, w->o.json);
   words->footer("example: voussoir check my-house.toml --draw my-house.svg");
   return {.words = words,

@@ -31,18 +31,18 @@ std::string results_of(const std::string& path) { return std::filesystem::is_dir
 std::string summary_of(const std::string& path) { return summary_json(open_run(path)); }
 
 std::string as_json(const Comparison& c, const std::string& a, const std::string& b) {
-  using Json = nlohmann::ordered_json;
-  Json out{
+  using Ordered = nlohmann::ordered_json;
+  Ordered out{
       {"identical", c.differing == 0}, {"datasets", c.datasets}, {"differing", c.differing}, {"first", nullptr}, {"measures", nullptr}};
   if (c.first) {
-    out["first"] = Json{{"dataset", c.first->dataset}, {"what", c.first->what}, {"time", nullptr}};
+    out["first"] = Ordered{{"dataset", c.first->dataset}, {"what", c.first->what}, {"time", nullptr}};
     if (c.first->time) out["first"]["time"] = *c.first->time;
   }
   try {
-    out["measures"] = Json::parse(measures_beside_json(summary_of(a), summary_of(b)));
+    out["measures"] = Ordered::parse(measures_beside_json(summary_of(a), summary_of(b)));
   } catch (const FileError&) {  // not runs: null
   }
-  return out.dump(1, ' ', false, Json::error_handler_t::replace);
+  return out.dump(1, ' ', false, Ordered::error_handler_t::replace);
 }
 
 /// Prints whether two runs are equal; if not, the first difference, and their measures side by side (compared_measures.h).

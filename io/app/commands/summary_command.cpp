@@ -124,12 +124,11 @@ void print_penetration(const Measures& m) {
   line_of_chance(m, "touching", std::to_string(m.touching_pairs) + " pairs at the end");
 }
 
-/// Prints breaks due to the building's own weight, and breaks due to the shaking.
+/// Prints breaks due to the building's own weight, and breaks due to what came after.
 void print_origin(const Json& s, const Measures& m) {
-  if (m.settling_cracks == 0)
-    return line("broken by settling", "nothing; by the shaking " + std::to_string(m.shaking_cracks) + " segments");
+  if (m.settling_cracks == 0) return line("broken by settling", "nothing; afterwards " + std::to_string(m.shaking_cracks) + " segments");
   line("broken by settling", std::to_string(m.settling_cracks) + " segments, the first at " + text("%.3f s", m.settling_first_crack_time) +
-                                 "; by the shaking " + std::to_string(m.shaking_cracks));
+                                 "; afterwards " + std::to_string(m.shaking_cracks) + " (one of both faces counts once)");
   if (s.contains("settling_tension"))
     line("points of settling", counts(s, "settling_") + "; " + std::to_string(s["settling_slipped"].get<std::int64_t>()) + " slipped");
 }
@@ -176,7 +175,7 @@ void print_table(const Json& s, const Measures& m) {
   print_grade(m);
   line("collapsed", m.collapse_time >= 0 ? "at " + seconds(m.collapse_time) : s["collapsed"] != 0 ? "yes" : "no");
   line("first crack",
-       m.settling_cracks == 0 ? seconds(s["first_crack_time"]) : "while settling; of the shaking " + seconds(s["first_crack_time"]));
+       m.settling_cracks == 0 ? seconds(s["first_crack_time"]) : "while settling; afterwards " + seconds(s["first_crack_time"]));
   print_origin(s, m);
   line("first fallen", seconds(m.first_fallen_time) + (m.first_fallen_wall.empty() ? "" : "; of the walls: " + m.first_fallen_wall));
   line_of_chance(m, "fallen mass", percent(s["fallen_mass_fraction"]));

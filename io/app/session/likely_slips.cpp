@@ -159,6 +159,16 @@ void look_at_points(const LoadedCase& c, const cases::Model& m, std::vector<std:
     tell("analysis.control", static_cast<std::size_t>(cases::nearest_element(m, *control)), *control);
 }
 
+/// Rafters without boards stand like dominoes: a push along the ridge finds them, and not the house.
+void look_at_rafters(const LoadedCase& c, std::vector<std::string>& out) {
+  const cases::Analysis& a = c.value.analysis;
+  if (a.kind != cases::AnalysisKind::pushover && a.kind != cases::AnalysisKind::tilt) return;
+  if (!c.value.house || c.value.house->roof.kind != cases::RoofKind::pitched || c.value.house->roof.deck) return;
+  out.push_back(c.describe(cases::InputError(
+      "house.roof.kind", "= \"pitched\" without house.roof.deck: nothing but their feet holds the rafters along the ridge, so a push that has "
+                         "a part along it may find the load at which they tip, not that of the house")));
+}
+
 }  // namespace
 
 std::string four_digits(double v) {
@@ -196,6 +206,7 @@ std::vector<std::string> slips_of_model(const LoadedCase& c, const cases::Model&
   }
   for (const cases::InputError& opening : cases::wall_heads_without_lintel(c.value.walls)) out.push_back(c.describe(opening));
   look_at_points(c, model, out);
+  look_at_rafters(c, out);
   return out;
 }
 

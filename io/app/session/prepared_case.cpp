@@ -14,6 +14,12 @@
 
 namespace voussoir::io {
 
+namespace {
+
+constexpr double kMore = 1.001;  // times as much mass: less is round-off
+
+}  // namespace
+
 cases::Model prepared_model(const cases::Case& c, int threads) {
   now_doing("building the model");
   cases::Model model = cases::build_model(c, threads);
@@ -39,6 +45,10 @@ void fill_own_frequency(cases::Case& c, int threads) {
     if (mode.frequency > 0.0) break;
     mode = (way.all ? solver::main_modes_of_all(c, model, way.dry) : solver::main_modes(c, model, way.dry))[1];
     held = way.dry == DryJoints::closed;
+  }
+  if (mode.number > 0) {  // among the lowest: one above them may move more
+    const solver::MainMode above = solver::main_modes_of_all(c, model, held ? DryJoints::closed : DryJoints::open)[1];
+    if (above.mass_share > kMore * mode.mass_share) mode = above;
   }
   if (mode.frequency == 0.0)
     throw cases::InputError("damping.frequency",

@@ -50,7 +50,7 @@ void print_summary(const solver::Summary& s, std::uint64_t hash, const std::stri
   std::printf("collapsed            %s\n", s.collapsed ? "yes" : stopped ? "not so far" : "no");
   std::printf("fallen mass          %.1f %%\n", 100.0 * s.fallen_mass_fraction);
   std::printf("first crack          ");
-  if (s.settling.first_crack_time < 0.0) std::printf("while settling, at %.3f s; of the shaking ", s.settling.first_crack_time);
+  if (s.settling.first_crack_time < 0.0) std::printf("while settling, at %.3f s; afterwards ", s.settling.first_crack_time);
   s.first_crack_time >= 0.0 ? std::printf("%.3f s\n", s.first_crack_time) : std::printf(stopped ? "none so far\n" : "none\n");
   const auto by_mode = [](const char* what, std::int64_t tension, std::int64_t shear, std::int64_t compression) {
     std::printf("%-20s %s points in tension, %s in shear, %s in compression", what, format_count(tension).c_str(),
@@ -66,7 +66,7 @@ void print_summary(const solver::Summary& s, std::uint64_t hash, const std::stri
   std::printf("peak speed           %.2f m/s\n", s.peak_speed);
   std::printf("energy error         %.2g at worst, of all energy\n", s.worst_residual);
   std::printf("state hash           %016llx\n", static_cast<unsigned long long>(hash));
-  if (!s.settled && s.end_time >= 0.0) std::printf("warning              gravity did not come to rest before the shaking began\n");
+  if (!s.settled && s.end_time >= 0.0) std::printf("warning              the structure did not come to rest under gravity before it was shaken or loaded\n");
   std::printf("results              %s/run.h5 (to %.3f s)\n", folder.c_str(), s.end_time);
 }
 

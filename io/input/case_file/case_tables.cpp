@@ -38,8 +38,8 @@ Table<Time> time_table() {
                 "the run ends so long after the first frame in which the building has collapsed; none: at its duration"),
        choice<S, int S::*, int>("multirate", &S::multirate, "", {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}},
                                 "steps from one evaluation of the slowest pairs of elements to the next: pairs that allow it are "
-                                "evaluated once in so many steps, in half as many, ...; 1: all in every step, as in the paper; of time "
-                                "histories alone")},
+                                "evaluated once in so many steps, in half as many, ...; 1: all in every step, as in the paper. An "
+                                "[analysis] takes 1")},
       nullptr};
 }
 

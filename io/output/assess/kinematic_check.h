@@ -45,7 +45,7 @@ struct KinematicLine {
   double period = solver::KinematicCurve::kNone;    // s, secant; of the non-linear ones
   double demand = solver::KinematicCurve::kNone;    // m/s2 or m
   double capacity = solver::KinematicCurve::kNone;  // likewise
-  std::string open;                                 // what is not proven
+  std::string open{};                               // what is not proven
 
   [[nodiscard]] double ratio() const noexcept { return demand / capacity; }
 };

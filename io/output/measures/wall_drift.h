@@ -25,7 +25,7 @@ std::optional<double> wall_drift(const Wall& wall, const std::vector<Pose>& star
                                  const std::vector<std::uint8_t>& fallen, DriftDirection direction = DriftDirection::out_of_plane);
 
 /// Storey drift of a wall: mean displacement of its whole uppermost course along the wall, less that of its lowest course, over its height;
-/// positive to the right as seen from outside (of an inner wall along x or y). Of elements that are still part of the wall, as in
+/// positive to the right as seen from outside, of an inner wall along +x or +y. Of elements that are still part of the wall, as in
 /// wall_drift. Nothing for a wall that does not stand.
 std::optional<double> storey_drift(const Wall& wall, const std::vector<Pose>& start, const std::vector<Pose>& poses,
                                    const std::vector<std::uint8_t>& fallen);

@@ -182,7 +182,7 @@ TEST_CASE("a house that cracks under its own weight: a warning with how many and
   const Outcome o = voussoir("run " + name + " --quiet -j 1 -o " + out);
   REQUIRE(o.code == 0);
   CHECK(says(
-      o, {"warning: ", " contact points of joints broke under the building's own weight, before the shaking (", " in tension",
+      o, {"warning: ", " contact points of joints broke under the building's own weight, while it settled (", " in tension",
           "Where: ", " wall ", "between z = ", "first crack          while settling, at -", "of the shaking none", "of them settling"}));
   // Shares of the parts add up to all of it, but for rounding.
   const std::string where = o.text.substr(o.text.find("Where: "), o.text.find("between z = ") - o.text.find("Where: "));
@@ -380,4 +380,9 @@ TEST_CASE("check says how long a run takes as a range, from steps timed on the m
   const TempFolder folder;
   CHECK(says(voussoir("check -j 1 " + folder.write("case.toml", kSmallHouse)),
              {"estimate, 1 threads", "if nothing breaks, some ", "if it collapses"}));
+  // An analysis that goes from one state of rest to the next has no time, and takes no several rates.
+  const Outcome push =
+      voussoir("check -j 1 " + folder.write("push.toml", kSmallHouse) + " --set analysis.kind=pushover --set time.multirate=4");
+  CHECK(says(push, {"estimate, 1 threads", "times that where much breaks"}));
+  CHECK(push.text.find("if it collapses") == std::string::npos);
 }

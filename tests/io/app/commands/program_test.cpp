@@ -122,6 +122,11 @@ TEST_CASE("check draws and modes lists frequencies, and neither writes over a fi
   const TempFolder folder;
   const std::string draw = "check arch --draw " + folder.path("arch.svg");
   CHECK(says(voussoir(draw), {"bill of blocks", "adobe voussoir, hexahedron", "arch.svg", "no faults"}));
+  // A long bill ends with what the shorter kinds are together.
+  const Outcome some = voussoir("check farmhouse -j 1"), all = voussoir("check farmhouse -j 1 --bill");
+  CHECK(says(some, {" other kinds (--bill: all)"}));
+  CHECK(all.text.find("other kinds") == std::string::npos);
+  CHECK(all.text.size() > some.text.size());
   CHECK(voussoir(draw).code == 3);
   CHECK(voussoir(draw + " --overwrite").code == 0);
   const std::string modes = "modes arch --count 3 --quiet -j 1 --shapes " + folder.path("arch.vtu");

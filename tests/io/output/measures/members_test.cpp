@@ -140,6 +140,20 @@ TEST_CASE("storey drift is the mean of the whole top along the wall, its peak wi
   other.frame(0.1, [&](std::size_t e, Vec3 x) { return other.tag(e) == "rear wall" && x.z > 0.3 ? x + Vec3{0.008, 0.0, 0.0} : x; });
   CHECK(wall(other.measures(), "rear wall").peak_storey_drift == doctest::Approx(-0.02).epsilon(1e-4));
   CHECK(storeys_text(m).find("storey 1, 0.00 to 0.40 m") != std::string::npos);
+  // That of an inner wall is positive along its axis, whichever it is.
+  for (const bool x : {true, false}) {
+    CAPTURE(x);
+    std::string text = kHut;
+    const std::string size = "inner_size = [1.0, 0.8]", base = "[base]";
+    text.replace(text.find(size), size.size(), "inner_size = [1.2, 1.2]");
+    text.replace(text.find(base), base.size(),
+                 std::string("[[house.inner_wall]]\nname = \"middle\"\nat = 0.6\nalong = ") + (x ? "\"x\"" : "\"y\"") + "\n[base]");
+    Hut parted(text);
+    const Vec3 way = x ? Vec3{0.008, 0.0, 0.0} : Vec3{0.0, 0.008, 0.0};
+    parted.frame(0.0, stays);
+    parted.frame(0.1, [&](std::size_t e, Vec3 at) { return parted.tag(e).starts_with("middle") && at.z > 0.3 ? at + way : at; });
+    CHECK(wall(parted.measures(), "middle wall").peak_storey_drift == doctest::Approx(0.02).epsilon(1e-4));
+  }
 }
 
 TEST_CASE("slip of beams on the walls: how far, where, and which have lost their seat") {
