@@ -154,12 +154,20 @@ Hole frame_of_arch(const House& house, const Hole& under, const HousePlan& plan,
   return hole;
 }
 
+/// What to do about an opening that goes down to the ground where a part of the base lies.
+std::string way_round_ground(const Hole& a, const Hole& b) {
+  const Hole &ground = a.ground >= 0 ? a : b, &opening = a.ground >= 0 ? b : a;
+  if (ground.ground < 0 || opening.ground >= 0) return {};
+  return "; end " + hole_key(ground) + " beside the opening (leave the doorway out), or give the opening a sill of at least " +
+         metres_text(ground.height.length()) + " m";
+}
+
 void add_hole(const House& house, const Hole& hole, WallPlan& wall) {
   for (const Hole& other : wall.holes) {
     if (!hole.along.overlaps(other.along) || !hole.height.overlaps(other.height)) continue;
     throw InputError(hole_key(hole), "overlaps " + hole_key(other) + " in the " + wall_name(house, wall) + ": " + from_to(hole.along) +
                                          " (heights " + from_to(hole.height) + ") against " + from_to(other.along) + " (heights " +
-                                         from_to(other.height) + ")");
+                                         from_to(other.height) + ")" + way_round_ground(hole, other));
   }
   wall.holes.push_back(hole);
 }

@@ -29,6 +29,7 @@ struct Analysis {
   std::array<double, 2> direction{1.0, 0.0};  // horizontal, x and y; any length
   double eccentricity = 0.0;       // pushover by mass, mode or height: shift of the resultant over the width of the plan across the push
   std::optional<Vec3> control;     // m; the nearest element is the control point of the capacity curve; none: one on top
+  std::string control_name;        // in place of the point: of a block, a stone or a part of the house (cases/loads/control_point.h)
   double drop = 0.2;               // the run ends when this share of the largest base shear (of the multiplier) is lost
   std::optional<double> share;     // stiffness of the loading spring over the initial one of the structure; none: 0.5, cyclic: 5
   std::optional<double> pace;      // s, time of an e-fold growth of the displacement; none: 20 first periods, at least 2 s

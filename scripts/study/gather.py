@@ -19,7 +19,7 @@ import h5py
 FIRST = ("collapsed", "damage_grade", "fallen_mass_fraction", "first_crack_time", "first_fallen_time", "first_fallen_wall", "peak_drift",
          "residual_drift", "first_tension", "first_shear", "first_compression", "tension", "shear", "compression", "slipped",
          "peak_base_shear", "peak_speed")
-NOT_RESULTS = ("finished", "grade_time", "walls", "points", "capacity", "chance", "ties")
+NOT_RESULTS = ("finished", "grade_time", "walls", "points", "capacity", "chance", "ties", "loads")
 OF_NO_RUN = ("name", "storey", "foot", "top")  # of a wall: what the model says
 STRENGTH = ("intensity", "level")  # of the place in a study with [intensity] alone
 COSTS = ("starts", "wall_clock", "core_hours")
@@ -35,7 +35,7 @@ def flat(summary):
     for tie in summary.get("ties", []):
         out |= {f"{tie['name']}: {name}": tie[name] for name in ("peak_force", "utilisation", "broken")}
     out |= {f"{point['name']}: peak_acceleration": point["peak_acceleration"] for point in summary.get("points", [])}
-    capacity = {name: value for name, value in summary.get("capacity", {}).items() if name not in ("performance", "loops")}  # tables of their own
+    capacity = {name: value for name, value in summary.get("capacity", {}).items() if name not in ("performance", "loops", "control")}  # tables of their own
     out |= {f"capacity: {name}": "; ".join(value) if isinstance(value, list) else value for name, value in capacity.items()}
     if summary.get("chance"):
         out["chaotic_from"] = summary["chance"]["from"]

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include "cases/case.h"
+#include "cases/loads/control_point.h"
 #include "cases/loads/loads.h"
 #include "cases/model.h"
 #include "geometry/nth.h"
@@ -26,11 +28,12 @@ constexpr double kLeastHeight = 1e-3;  // m, for the drift of a point on the gro
 constexpr double kNoise = 5.0;         // times the tolerance, of the weight: what a load factor at rest may be off by, and more
 constexpr double kCyclePace = 0.5;     // of the pace: in which the moving end goes on by an amplitude
 
-/// The element in the uppermost tenth that is nearest to the vertical axis through the centre of mass.
-std::int32_t top_element(const World& w) {
+/// Of some elements, the one in the uppermost tenth that is nearest to the vertical axis through their centre of mass.
+std::int32_t top_element(const World& w, const std::vector<std::int32_t>& among) {
   const Elements& e = w.elements;
   double low = 1e300, high = -1e300, mass = 0.0, x = 0.0, y = 0.0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
+  for (const std::int32_t of : among) {
+    const auto i = static_cast<std::size_t>(of);
     if (e.fixed[i]) continue;
     const Vec3 c = e.body[i].ref;
     low = std::min(low, c.z), high = std::max(high, c.z);
@@ -38,13 +41,19 @@ std::int32_t top_element(const World& w) {
   }
   std::int32_t best = 0;
   double least = 1e300;
-  for (std::int32_t i = 0; i < e.count; ++i) {
+  for (const std::int32_t i : among) {
     const auto k = static_cast<std::size_t>(i);
     if (e.fixed[k] || e.body[k].ref.z < high - kTop * (high - low)) continue;
     const double far = std::hypot(e.body[k].ref.x - x / mass, e.body[k].ref.y - y / mass);
     if (far < least - 1e-9) least = far, best = i;
   }
   return best;
+}
+
+std::vector<std::int32_t> all_elements(const World& w) {
+  std::vector<std::int32_t> all(static_cast<std::size_t>(w.elements.count));
+  std::iota(all.begin(), all.end(), 0);
+  return all;
 }
 
 Vec3 displacement(const Elements& e, std::int32_t i) {
@@ -66,8 +75,9 @@ LoadProgram::LoadProgram(const cases::Case& c, World& w) : analysis_(c.analysis)
   for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) mass_ += e.fixed[i] ? 0.0 : e.mass[i];
   const auto pushed = std::ranges::find_if(w.loads, &PointLoad::grows);
   control_ = analysis_.control                     ? cases::nearest_element(w.model, *analysis_.control)
+             : !analysis_.control_name.empty()     ? top_element(w, cases::elements_called(w.model, analysis_.control_name))
              : vertical && pushed != w.loads.end() ? pushed->element
-                                                   : top_element(w);
+                                                   : top_element(w, all_elements(w));
   height_ = std::max(kLeastHeight, nth(e.body, control_).ref.z - nth(e.body, e.base).ref.z);
   for (const Support& s : w.supports)
     last_support_ = std::max(last_support_, s.history->open_ended ? std::numeric_limits<double>::infinity() : s.history->time.back());

@@ -58,6 +58,8 @@ class LoadProgram {
   /// Advances the load at step n. To be called every step, when the rows have the internal forces of n and velocities are those of n − ½.
   void advance(const World& w, std::int64_t step);
 
+  /// The element whose displacement is that of the capacity curve.
+  [[nodiscard]] std::int32_t control() const noexcept { return control_; }
   [[nodiscard]] double factor() const noexcept { return state_.factor; }
   /// Body acceleration in addition to gravity at this step, and its mean over the last interval [m/s2].
   [[nodiscard]] Vec3 acceleration() const noexcept { return field(state_.factor); }

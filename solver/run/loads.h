@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/run/ledger.h"
+#include "solver/run/recorder.h"
 #include "solver/world/world.h"
 
 /// Loads on single elements: dead loads keep their direction, followers rotate with their element.
@@ -17,6 +18,12 @@ namespace voussoir::solver {
 /// \param before  force and moment of each load at the last step; kept up to date
 /// \param t  time of the ramps [s] \param factor  of the loads that grow
 void apply_loads(World& w, Ledger& ledger, std::vector<Vec3>& before, std::int64_t step, double t, double factor);
+
+/// m, of the place where each load acts, since the start of the run.
+std::vector<Vec3> places_of_loads(const World& w);
+
+/// What each [[load]] does at time t [s], by its number. \param start  places_of_loads() at time zero \param factor  of the loads that grow
+std::vector<LoadSample> load_samples(const World& w, const std::vector<Vec3>& start, double t, double factor);
 
 /// Power of the growing loads at a factor of 1, with the velocities of the last half step [W].
 double power_of_growing_loads(const World& w);

@@ -33,6 +33,12 @@ struct TieGroupSample {
   std::int64_t yielded = 0, broken = 0;  // bars that have yielded (and are not broken), bars that have broken
 };
 
+/// All shares of one [[load]]: their force [N], and the displacement of the place where they act, from time zero [m]; the mean of several
+/// places by their shares. NaN: it acts nowhere.
+struct LoadSample {
+  Vec3 force, displacement;
+};
+
 /// The energy ledger [J]: stores (strain: of bonds and ties), work put in, losses since time zero (or since the start while settling),
 /// residual as a ratio.
 struct EnergyRow {
@@ -144,6 +150,8 @@ class Recorder {
   virtual void ties(double /*time*/, std::span<const TieSample> /*samples*/) {}
   /// Decks and meshes, in the order of cases::tie_groups; before the history of the same time. Only of a model that has some.
   virtual void tie_groups(double /*time*/, std::span<const TieGroupSample> /*samples*/) {}
+  /// Loads of the case, in order; before the history of the same time. Only of a case that has some.
+  virtual void loads(double /*time*/, std::span<const LoadSample> /*samples*/) {}
   virtual void energy(const EnergyRow& row) = 0;
   virtual void forces(const ForcesRow& row) = 0;
   /// One sample per Output::cuts entry, in order; not called without cuts.
@@ -154,6 +162,8 @@ class Recorder {
   virtual void summary(const Summary& s) = 0;
   /// For quasi-static analyses only: drive() once before the rows (also in a resumed run), assessment() at the ledger's interval.
   virtual void drive(const Drive&) {}
+  /// The element that is the control point; with drive().
+  virtual void control(std::int32_t /*element*/) {}
   virtual void assessment(const AssessmentRow&) {}
 };
 

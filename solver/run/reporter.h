@@ -60,6 +60,7 @@ class Reporter {
   void samples(double time) {
     ties(time);
     tie_groups(time);
+    if (!sim_.loads().empty()) out_.loads(time, sim_.loads());
     out_.history(time, sim_.history());
     const ForcesRow& f = sim_.forces();
     state_.peak_base_shear = std::max(state_.peak_base_shear, std::hypot(f.base_shear.x, f.base_shear.y));

@@ -74,7 +74,7 @@ class Plan {
         last_(last_step(sim, end)) {
     end_after_collapse();
     end_with_program();
-    if (sim.program().active()) out.drive(sim.program().drive());
+    if (sim.program().active()) out.drive(sim.program().drive()), out.control(sim.program().control());
   }
 
   /// \return false if the tick stopped it

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cases/model.h"
+#include "solver/run/loads.h"
 #include "solver/run/over_elements.h"
 #include "solver/run/simulation.h"
 #include "solver/world/errors.h"
@@ -57,6 +58,8 @@ void Simulation::take_samples() {
     const Vec3 u{e.ux[i], e.uy[i], e.uz[i]}, v{e.vx[i], e.vy[i], e.vz[i]};
     samples_[k] = {u - start_[k], 0.5 * (velocity_before_[k] + v), rotation_vector({e.qw[i], e.qx[i], e.qy[i], e.qz[i]}, turned_[k])};
   }
+  load_samples_ = solver::load_samples(*world_, load_start_, phase_ == Phase::shaking ? static_cast<double>(step_) * world_->dt : 0.0,
+                                       program_.factor());
 }
 
 void Simulation::note_velocities() {

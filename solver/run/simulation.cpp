@@ -66,6 +66,7 @@ Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases:
   samples_.resize(followed_.size());
   cuts_ = Cuts(w, c.output.cuts);
   load_before_.resize(2 * w.loads.size());
+  load_start_.resize(w.loads.size());
   if (c.gravity.settle && norm(full_gravity_) > 0.0) {
     phase_ = Phase::settling;
     // Near-critical for the slowest sway the case names; else for one that the ramp calls slow.
@@ -344,6 +345,7 @@ void Simulation::start_shaking() {
     start_[k] = {e.ux[i], e.uy[i], e.uz[i]};
     turned_[k] = {e.qw[i], e.qx[i], e.qy[i], e.qz[i]};
   }
+  load_start_ = places_of_loads(*world_);
 }
 
 }  // namespace voussoir::solver

@@ -77,6 +77,7 @@ class Simulation {
   [[nodiscard]] const EnergyRow& energy() const { return ledger_.last(); }
   [[nodiscard]] double worst_residual() const { return ledger_.worst_residual(); }
   [[nodiscard]] const std::vector<HistorySample>& history() const { return samples_; }
+  [[nodiscard]] const std::vector<LoadSample>& loads() const { return load_samples_; }  // by [[load]]
   [[nodiscard]] const ForcesRow& forces() const { return forces_; }
   /// Forces through cuts in the last step with a ledger row during the shaking, in the order of Output::cuts.
   [[nodiscard]] const std::vector<CutSample>& cuts() const { return cut_samples_; }
@@ -165,7 +166,9 @@ class Simulation {
   std::vector<Quaternion> turned_;      // orientations of the followed elements at time zero
   std::vector<Vec3> velocity_before_;   // m/s, velocities of the followed elements at the half step before
   std::vector<Vec3> load_before_;       // N, N m of each load at the last step (force, moment pairs)
+  std::vector<Vec3> load_start_;        // m, places_of_loads() at time zero
   std::vector<HistorySample> samples_;
+  std::vector<LoadSample> load_samples_;
   ForcesRow forces_;
   Cuts cuts_;
   std::vector<CutSample> cut_samples_;

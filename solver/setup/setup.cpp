@@ -96,6 +96,7 @@ void add_moving_load(World& w, const cases::Load& l, std::size_t i) {
     w.moving_forces.push_back(std::make_shared<cases::SupportHistory>(std::move(m.force)));
     PointLoad p;
     p.element = m.share.element, p.arm = m.share.point - centre, p.history = w.moving_forces.back().get(), p.follows = l.follows;
+    p.moves = true, p.load = static_cast<std::int32_t>(i);
     w.loads.push_back(p);
   }
 }
@@ -111,8 +112,8 @@ void set_up_loads(World& w, const cases::Case& c) {
     }
     for (const cases::LoadShare& s : cases::load_shares(w.model, l, i)) {
       const Vec3 centre = nth(w.model.assembly.elements, s.element).mass.centroid;
-      PointLoad p{s.element, s.part * l.force, s.part * l.moment, s.point - centre, l.ramp[0],
-                  l.ramp[1], nullptr,          l.follows,         l.grows,          s.part};
+      PointLoad p{s.element, s.part * l.force, s.part * l.moment, s.point - centre, l.ramp[0], l.ramp[1],
+                  nullptr,   l.follows,        l.grows,           s.part,           false,     static_cast<std::int32_t>(i)};
       if (const std::int32_t h = l.history ? w.model.load_history[i] : -1; h >= 0) p.history = &nth(w.model.support_motions, h);
       w.loads.push_back(p);
     }

@@ -229,6 +229,7 @@ struct FieldTable {
     const auto segment_sides = 2 * static_cast<std::int64_t>(s.world().sides.bond.size());  // at most
     t.push_back({"damage", "-", "run", FieldType::i64, &s.damage_, 1, 5, 0, segment_sides});
     t.push_back(rows<double>("load_before", "N, N m", "load", s.load_before_, 6));
+    if (!s.load_start_.empty()) t.push_back(rows<double>("load_start", "m", "load", s.load_start_, 3));
     t.push_back(rows<double>("followed_start", "m", "history", s.start_, 3));
     t.push_back(rows<double>("followed_turned", "-", "history", s.turned_, 4));
     add(t, s.ledger_);

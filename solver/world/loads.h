@@ -18,6 +18,8 @@ struct PointLoad {
   bool follows = false;                            // force and moment rotate with the element
   bool grows = false;                              // multiplied by the load factor (run/load_program.h)
   double part = 1.0;                               // share of the history's force on this element
+  bool moves = false;                              // one of the places of a load that moves along a path
+  std::int32_t load = 0;                           // number of the [[load]] that this is a share of
 };
 struct Support {
   std::int32_t element = 0;

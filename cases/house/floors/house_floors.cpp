@@ -65,9 +65,10 @@ void check_piece_behind(const Floor& floor, std::size_t index, const WallPlan& w
     for (const Wythe& layer : wythes(plan, wall, course)) {
       const Tick piece = behind - layer.depth.low;
       if (piece <= 0 || piece >= least || behind >= layer.depth.high) continue;
-      throw InputError(floor_key(index, "bearing"), text(floor.bearing) + " m leaves " + metres_text(piece) + " m of bricks of the " +
-                                                        name(wall.side) + " wall behind the beams; at least " + metres_text(least) +
-                                                        " m, or none; nearest: " + metres_text(depth + piece) + " or " +
+      throw InputError(floor_key(index, "bearing"), text(floor.bearing) + " m makes pockets that cut bricks of the " + name(wall.side) +
+                                                        " wall to " + metres_text(piece) +
+                                                        " m behind the beams; a cut brick has at least " + metres_text(least) +
+                                                        " m, half its width; nearest that fit: " + metres_text(depth + piece) + " or " +
                                                         metres_text(depth + piece - least) + " m");
     }
   }

@@ -23,6 +23,8 @@
 #include "io/output/assess/assess_words.h"
 #include "io/output/assess/crack_map.h"
 #include "io/output/measures/capacity/capacity_file.h"
+#include "io/output/measures/members/load_measures.h"
+#include "io/output/measures/members/member_words.h"
 #include "io/output/replay/run_file.h"
 #include "io/output/replay/run_state.h"
 #include "io/output/results/case_of_run.h"
@@ -102,6 +104,7 @@ int assess(const AssessOptions& o) {
   const std::vector<FloorAcceleration> points = floor_accelerations(run, history_names(c), base);
   std::fputs((o.json ? assessment_json(a, points, base, capacity) : assessment_text(a, points, base)).c_str(), stdout);
   if (capacity && !o.json) std::fputs(("\ncapacity\n" + capacity_text(*capacity)).c_str(), stdout);
+  if (!o.json) std::fputs(loads_text(load_measures(run)).c_str(), stdout);
   if (!o.maps.empty()) write_maps(run, c, building, a, o);
   if (!o.spectra.empty()) write_output(spectra, spectra_csv(points, base, o.damping));
   return kDone;

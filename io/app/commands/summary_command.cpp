@@ -197,7 +197,7 @@ void print_table(const Json& s, const Measures& m) {
     line_of_chance(m, "peak acceleration", text("%.2f m/s2", p.peak_horizontal) + " at " + p.name + ", horizontal, below 50 Hz");
   if (s.contains("state_hash")) line("state hash", s["state_hash"]);
   print_walls(m);
-  std::fputs((storeys_text(m) + ties_text(m)).c_str(), stdout);
+  std::fputs((storeys_text(m) + ties_text(m) + loads_text(m.loads)).c_str(), stdout);
   if (has_chance(m)) std::printf("\n* %s\n", words_of_chance(m).c_str());
 }
 

@@ -7,6 +7,7 @@
 
 #include "cases/case.h"
 #include "cases/followed_points.h"
+#include "cases/loads/control_point.h"
 #include "io/app/session/likely_slips.h"
 #include "io/app/session/process.h"
 #include "io/input/motion/support_motion.h"
@@ -25,6 +26,7 @@ cases::Model prepared_model(const cases::Case& c, int threads) {
   cases::Model model = cases::build_model(c, threads);
   load_support_motions(model, c.folder);
   cases::check_followed_points(c, model);
+  cases::check_control(c, model);
   now_doing("setting up the computation");
   return model;
 }

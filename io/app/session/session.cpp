@@ -20,6 +20,7 @@
 #include "io/input/files/errors.h"
 #include "io/output/measures/capacity/capacity_file.h"
 #include "io/output/measures/capacity/light_elements.h"
+#include "io/output/measures/members/member_words.h"
 #include "io/output/measures/settling_warning.h"
 #include "solver/world/errors.h"
 
@@ -247,6 +248,7 @@ int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState&
     if (r.stopped) std::fputs(stop_lines(c, r.summary.end_time, static_cast<int>(stop_signal), folder).c_str(), stdout);
     print_summary(r.summary, hash, folder, r.stopped);
     if (results.capacity()) std::printf("%s", capacity_text(*results.capacity()).c_str());
+    if (results.measures()) std::fputs(loads_text(results.measures()->loads).c_str(), stdout);
     print_tie_outcome(sim.world().ties, sim.world().model);
     print_stages(sim.stage_times());
     watch.print_checkpoints();

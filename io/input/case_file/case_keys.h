@@ -336,7 +336,7 @@ Key<S> auto_or_number(std::string name, std::optional<double> S::*get, std::stri
   key.read = [get, info = key.info](const Node& node, S& s, Reading& reading, const std::string& path) {
     if (same_word(node, "\"auto\"")) {
       (s.*get).reset();
-    } else {
+    } else if (!reading.mistyped(node, path, info, {"auto"})) {
       read_value(node, s.*get, info, reading, path);
     }
   };
@@ -365,9 +365,7 @@ Key<S> choice(std::string name, Get get, std::string unit, std::vector<std::pair
         return;
       }
     }
-    const auto* given = node.as<std::string>();
-    const std::string meant = given == nullptr ? "" : cases::did_you_mean(*given, names_of(words));
-    reading.bad_value(node, path, info, "must be " + info.shape + (meant.empty() ? "" : "; " + meant.substr(0, meant.size() - 1)));
+    if (!reading.mistyped(node, path, info, names_of(words))) reading.bad_value(node, path, info, "must be " + info.shape);
   };
   const auto text = [=](const S& s) -> std::string {
     for (const auto& [word, meaning] : words) {

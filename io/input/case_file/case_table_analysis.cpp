@@ -37,7 +37,7 @@ void check_own_keys(const Analysis& s, const RuleCheck& check) {
   only("amplitudes", !s.amplitudes.empty(), cyclic, to_and_fro);
   only("cycles", s.cycles != plain.cycles, cyclic, to_and_fro);
   only("level", s.level != plain.level, cyclic, to_and_fro);
-  only("control", s.control.has_value(), slow, any_slow);
+  only("control", s.control || !s.control_name.empty(), slow, any_slow);
   only("pace", s.pace.has_value(), slow, any_slow);
   only("damping", s.damping.has_value(), slow, any_slow);
   only("longest", s.longest != plain.longest, slow, any_slow);
@@ -50,6 +50,27 @@ void check_own_keys(const Analysis& s, const RuleCheck& check) {
   if (std::hypot(s.direction[0], s.direction[1]) < kShortestVector) check.fault("direction", "has no direction");
   if (kind == AnalysisKind::cyclic && s.amplitudes.empty()) check.fault("amplitudes", "is missing: give those of the cycles (m, > 0)");
   if (std::ranges::any_of(s.amplitudes, [](double a) { return a <= 0.0; })) check.fault("amplitudes", "must all be > 0 (m)");
+}
+
+/// Key `control`: a point, or the name of what it is on top of.
+Key<Analysis> control_key() {
+  Key<Analysis> key = value<Analysis>(
+      "control", &Analysis::control, "m", any().possibly(0.0, usual::kFarthest),
+      "the control point, whose displacement is that of the capacity curve: the element whose centroid is nearest to a point; or, of a "
+      "block, a stone or a part of the house by its name, as \"front wall, storey 2\", the element on top nearest to the axis of its "
+      "centre of mass; none: the same of the whole model; where vertical loads grow, the loaded one");
+  key.info.shape = "an array [x, y, z] or a name in quotes";
+  key.read = [info = key.info](const Node& node, Analysis& a, Reading& reading, const std::string& path) {
+    if (const auto* name = node.as<std::string>()) {
+      a.control.reset(), a.control_name = *name;
+      if (name->empty()) reading.bad_value(node, path, info, "must be a point [x, y, z] (m) or the name of a block or part");
+    } else {
+      a.control_name.clear();
+      read_value(node, a.control, info, reading, path);
+    }
+  };
+  key.text = [](const Analysis& a) { return a.control_name.empty() ? value_text(a.control) : value_text(a.control_name); };
+  return key;
 }
 
 }  // namespace
@@ -86,10 +107,7 @@ Table<Analysis> analysis_table() {
        value<S>("eccentricity", &S::eccentricity, "", within(-0.5, 0.5).usually(usual::kEccentricity),
                 "pushover: shift of the resultant across the push, over the width of the plan there; above zero: to the left of the push. "
                 "EN 1998-1, 4.3.2: 0.05 and -0.05"),
-       value<S>(
-           "control", &S::control, "m", any().possibly(0.0, usual::kFarthest),
-           "the element whose centroid is nearest is the control point; none: the one on top nearest to the axis of the centre of mass; "
-           "where vertical loads grow, the loaded one"),
+       control_key(),
        value<S>("drop", &S::drop, "", inside(0.0, 1.0),
                 "the run ends when the base shear (tilt: the multiplier) has lost this share of its largest value"),
        value<S>(

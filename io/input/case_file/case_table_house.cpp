@@ -155,7 +155,8 @@ Table<Opening> opening_table() {
            required(value<S>("from", &S::from, "m", at_least(0.0).usually(usual::kHouse),
                              "start along the wall, x or y from the outer corner of the house")),
            required(value<S>("width", &S::width, "m", above(0.0).usually(usual::kOpening), "clear width")),
-           value<S>("sill", &S::sill, "m", at_least(0.0).usually(usual::kLevel), "height of its lower edge above the foot of its storey"),
+           value<S>("sill", &S::sill, "m", at_least(0.0).usually(usual::kLevel),
+                    "height of its lower edge above the foot of its storey; in the first storey above base.z"),
            required(value<S>("height", &S::height, "m", above(0.0).usually(usual::kOpening), "clear height")),
            table<S>("lintel", &S::lintel, lintel_table()), table<S>("arch", &S::arch, arch_table())},
           nullptr};

@@ -46,7 +46,7 @@ Key<StonesSpec> supports_key() {
     } else if (node.as<Node::Array>() != nullptr) {
       s.supports.kind = Kind::named;
       read_value(node, s.supports.names, info, reading, path);
-    } else if (read_value(node, s.supports.level, info, reading, path)) {
+    } else if (!reading.mistyped(node, path, info, {"ground", "none"}) && read_value(node, s.supports.level, info, reading, path)) {
       s.supports.kind = Kind::below;
     }
   };

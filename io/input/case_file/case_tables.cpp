@@ -53,7 +53,7 @@ Key<Damping> frequency_key() {
     damping.own_frequency = same_word(node, "\"auto\"");
     if (damping.own_frequency) {
       damping.frequency.reset();
-    } else {
+    } else if (!reading.mistyped(node, path, info, {"auto"})) {
       read_value(node, damping.frequency, info, reading, path);
     }
   };

@@ -133,6 +133,14 @@ void Reading::bad_value(const Node& node, const std::string& path, const KeyInfo
   fault({node.source, path, short_text(node) + (with_unit ? " " + info.unit : ""), problem});
 }
 
+bool Reading::mistyped(const Node& node, const std::string& path, const KeyInfo& info, const std::vector<std::string>& words) {
+  const auto* given = node.as<std::string>();
+  const std::string meant = given == nullptr ? "" : cases::did_you_mean(*given, words);
+  if (meant.empty()) return false;
+  bad_value(node, path, info, "must be " + info.shape + "; " + meant.substr(0, meant.size() - 1));
+  return true;
+}
+
 void Reading::unknown_key(const Entry& entry, const std::string& table_path, const std::vector<std::string>& allowed) {
   if (count_ >= kMostFaults) {  // limits the number of searches for a file with many unknown keys
     ++count_;

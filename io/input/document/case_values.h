@@ -128,6 +128,8 @@ class Reading {
   /// Reports a value of the wrong type or out of range: "found ..., wanted ...".
   void wrong_type(const Node& node, const std::string& path, const KeyInfo& info);
   void bad_value(const Node& node, const std::string& path, const KeyInfo& info, const std::string& problem);
+  /// Whether a text is nearly one of some words; reports it then.
+  bool mistyped(const Node& node, const std::string& path, const KeyInfo& info, const std::vector<std::string>& words);
   void unknown_key(const Entry& entry, const std::string& table_path, const std::vector<std::string>& allowed);
   /// Records an accepted value that is probably a mistake.
   void doubt(Fault doubt) { doubts_.push_back(std::move(doubt)); }

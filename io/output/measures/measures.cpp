@@ -259,6 +259,7 @@ Measures measure(const Hdf5File& run) {
   Measures m = Measurer(run).all();
   m.accelerations = point_accelerations(run);
   m.ties = tie_measures(run);
+  m.loads = load_measures(run);
   return m;
 }
 

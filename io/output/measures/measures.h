@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/output/measures/debris/debris.h"
+#include "io/output/measures/members/load_measures.h"
 #include "io/output/measures/members/tie_measures.h"
 #include "io/output/measures/point_accelerations.h"
 
@@ -92,6 +93,7 @@ struct Measures {
   std::int64_t touching_pairs = 0;                         // in the last frame
   std::vector<WallMeasures> walls;
   std::vector<TieMeasures> ties;  // then decks and meshes
+  std::vector<LoadMeasures> loads;
   MeasureSeries series;
   PointAccelerations accelerations;
 };

@@ -59,6 +59,19 @@ void write_ties(Hdf5File& file, const std::vector<TieMeasures>& ties) {
   }
 }
 
+void write_loads(Hdf5File& file, const std::vector<LoadMeasures>& loads) {
+  if (loads.empty()) return;
+  std::vector<std::string> names, places;
+  for (const LoadMeasures& l : loads) names.push_back(l.name), places.push_back(l.place);
+  file.write_strings("/summary/load/name", names, {"1", "loads that have a force, in the order of the other datasets here"});
+  file.write_strings("/summary/load/place", places, {"1", "where each acts, in the axes of the case file"});
+  for (const LoadColumn& column : kLoadColumns) {
+    std::vector<double> values;
+    for (const LoadMeasures& l : loads) values.push_back(l.*column.value);
+    put(file, std::string("/summary/load/") + column.name, values, {loads.size()}, {column.unit, column.description});
+  }
+}
+
 }  // namespace
 
 std::vector<Figure> figures_of(const Measures& m) {
@@ -126,6 +139,11 @@ std::string measures_json(const Measures& m) {
     nlohmann::ordered_json& tie = out["ties"].emplace_back(nlohmann::ordered_json{{"name", t.name}});
     for (const TieColumn& column : kTieColumns) tie[column.name] = t.*column.value;
   }
+  if (!m.loads.empty()) out["loads"] = nlohmann::ordered_json::array();
+  for (const LoadMeasures& l : m.loads) {
+    nlohmann::ordered_json& load = out["loads"].emplace_back(nlohmann::ordered_json{{"name", l.name}, {"place", l.place}});
+    for (const LoadColumn& column : kLoadColumns) load[column.name] = l.*column.value;
+  }
   out["points"] = nlohmann::ordered_json::array();
   for (const PointAcceleration& p : m.accelerations.points)
     out["points"].push_back({{"name", p.name}, {"peak_acceleration", p.peak_horizontal}});
@@ -139,6 +157,7 @@ void write_measures(Hdf5File& file, const Measures& m) {
       {"s", "from when on damage was of grade 1, 2, 3, 4, 5 of EMS-98 at least; below 0: never"});
   write_walls(file, m.walls);
   write_ties(file, m.ties);
+  write_loads(file, m.loads);
   write_series(file, m.series, m.walls.size());
   write_accelerations(file, m.accelerations);
 }

@@ -76,6 +76,25 @@ inline constexpr std::array kTieColumns{
     TieColumn{"broken", &TieMeasures::broken, "1", "ties or bars that have broken, at the end"},
 };
 
+/// A measure by load: a dataset of /summary/load.
+struct LoadColumn {
+  const char* name;
+  double LoadMeasures::*value;
+  const char* unit;
+  const char* description;
+};
+inline constexpr std::array kLoadColumns{
+    LoadColumn{"peak_force", &LoadMeasures::peak_force, "N", "the largest"},
+    LoadColumn{"peak_force_time", &LoadMeasures::peak_force_time, "s", "of it"},
+    LoadColumn{"displacement_at_peak_force", &LoadMeasures::displacement_at_peak, "m",
+               "of the loaded place at that time, along the force; NaN: the load acted nowhere"},
+    LoadColumn{"peak_displacement", &LoadMeasures::peak_displacement, "m", "of the loaded place along the force, largest in magnitude"},
+    LoadColumn{"peak_displacement_time", &LoadMeasures::peak_displacement_time, "s", "of it"},
+    LoadColumn{"force_at_peak_displacement", &LoadMeasures::force_at_peak_displacement, "N", "at that time"},
+    LoadColumn{"end_force", &LoadMeasures::end_force, "N", "at the end"},
+    LoadColumn{"end_displacement", &LoadMeasures::end_displacement, "m", "at the end, along the force; NaN: it acts nowhere then"},
+};
+
 /// Units of the figures, for the attribute `units` of /summary: "name, name: unit; ...".
 std::string figure_units();
 

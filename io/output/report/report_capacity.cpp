@@ -130,7 +130,7 @@ Json reasons(const Json& limit, const cases::Case& c, const Capacity& run) {
   if (run.motion_share > 0.01 || run.kinetic_share > 0.01)
     all.push_back("Rate: inertia bore a part of the run's load; repeat it with twice the analysis.pace.");
   all.push_back("Slip: in associated flow it opens joints, in the run it does not. Coulomb's multiplier is the one to compare.");
-  all.push_back("Stiffness: the run's joints yield, so blocks lean before they turn, which shortens their levers.");
+  all.push_back("Stiffness: the run's joints yield, so blocks lean before they turn, which shortens their lever arms.");
   if (const double cone = limit["cone_error"].get<double>(); cone > 0.0)
     all.push_back("Facets: friction of limit analysis is off by up to " + per_cent(cone) + ".");
   return all;

@@ -29,6 +29,7 @@
 #include "io/output/replay/run_state.h"
 #include "io/output/report/damage/worst_moment.h"
 #include "io/output/report/report_capacity.h"
+#include "io/output/report/report_members.h"
 #include "io/output/report/report_plots.h"
 #include "io/output/results/case_of_run.h"
 
@@ -38,7 +39,6 @@ namespace {
 using namespace page;
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostTies = 6;  // curves in one plot
 const std::vector<std::string> kAxes{"x", "y", "z"};
 
 /// Plot of the ground acceleration at its own samples, so that its peaks are included.
@@ -95,25 +95,6 @@ void add_base_shear(const Hdf5File& file, std::vector<Plot>& plots) {
   std::vector<Curve> curves;
   for (std::size_t k = 0; k < 2; ++k) curves.push_back({kAxes[k], thinned(force, k, 3, 1e-3)});
   plots.push_back({"Base shear", "kN", thinned(time), std::move(curves)});
-}
-
-/// Adds a plot of the ties with the largest forces.
-void add_ties(const Hdf5File& file, std::vector<Plot>& plots) {
-  if (!file.exists("/ties/force")) return;
-  const std::vector<std::string> names = file.read_strings("/model/tie");
-  const std::vector<double> time = file.read<double>("/history/time"), force = file.read<double>("/ties/force");
-  if (time.empty() || force.size() != names.size() * time.size()) return;
-  std::vector<double> most(names.size(), 0.0);
-  for (std::size_t i = 0; i < force.size(); ++i) most[i % names.size()] = std::max(most[i % names.size()], std::abs(force[i]));
-  std::vector<std::size_t> order(names.size());
-  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return most[a] > most[b]; });
-  order.resize(std::min(order.size(), kMostTies));
-  std::ranges::sort(order);
-  std::vector<Curve> curves;
-  for (const std::size_t k : order) curves.push_back({names[k], thinned(force, k, names.size(), 1e-3)});
-  plots.push_back(
-      {order.size() < names.size() ? "Force of the ties that bear most" : "Force of ties", "kN", thinned(time), std::move(curves)});
 }
 
 /// Adds a plot of numbers of sides. \param prefix  of the datasets' names in /damage
@@ -247,21 +228,6 @@ void add_worst(const Hdf5File& file, const Measures& m, const FrameReader& frame
     facts["worst"] = {{"time", worst->time}, {"name", worst->name}, {"what", worst->what}};
 }
 
-/// Adds the plot of storey drifts, and of decks and meshes.
-void add_members(const Hdf5File& file, const Measures& m, const std::vector<std::string>& walls, std::vector<Plot>& plots) {
-  if (!walls.empty()) {
-    plots.push_back({"Storey drift along the walls", "%", thinned(m.series.time), columns(m.series.storey_drift, walls, 100)});
-    plots.back().clip = 100 * kWildDrift;
-  }
-  if (m.peak_seat_slip > 0)
-    plots.push_back({"Slip of beams on walls, the largest", "mm", thinned(m.series.time), columns(m.series.seat_slip, {"slip"}, 1000)});
-  if (!file.exists("/meshes/utilisation")) return;
-  const std::vector<std::string> names = file.read_strings("/model/mesh");
-  const auto time = file.read<double>("/history/time"), used = file.read<double>("/meshes/utilisation");
-  if (!time.empty())
-    plots.push_back({"Decks and meshes: force over strength of the bar that bears most", "%", thinned(time), columns(used, names, 100)});
-}
-
 /// Adds plots and facts of the collapse.
 void add_measures(const Hdf5File& file, const FrameReader& frames, Json& facts, std::vector<Plot>& plots) {
   try {
@@ -363,6 +329,7 @@ ReportFacts report_facts(const Hdf5File& file, const FrameReader& frames, double
   add_histories(file, plots);
   add_base_shear(file, plots);
   add_ties(file, plots);
+  add_loads(file, plots);
   add_tables(file, plots);
   add_building(file, facts);
   facts["summary"] =

@@ -28,57 +28,6 @@ std::string hexadecimal(std::uint64_t n) {
   return text.data();
 }
 
-void write_summary(Hdf5File& file, const std::optional<solver::Summary>& summary) {
-  const std::string at = "/summary";
-  if (!summary) return;
-  const solver::Summary& s = *summary;
-  file.set_attribute(at, "collapsed", std::int64_t{s.collapsed});
-  file.set_attribute(at, "settled", std::int64_t{s.settled});
-  file.set_attribute(at, "fallen_mass_fraction", s.fallen_mass_fraction);
-  file.set_attribute(at, "first_crack_time", s.first_crack_time);
-  file.set_attribute(at, "tension", s.tension);
-  file.set_attribute(at, "shear", s.shear);
-  file.set_attribute(at, "compression", s.compression);
-  file.set_attribute(at, "slipped", s.slipped);
-  file.set_attribute(at, "first_tension", s.first.tension);
-  file.set_attribute(at, "first_shear", s.first.shear);
-  file.set_attribute(at, "first_compression", s.first.compression);
-  file.set_attribute(at, "settling_tension", s.settling.tension);
-  file.set_attribute(at, "settling_shear", s.settling.shear);
-  file.set_attribute(at, "settling_compression", s.settling.compression);
-  file.set_attribute(at, "settling_slipped", s.settling.slipped);
-  file.set_attribute(at, "peak_base_shear", s.peak_base_shear);
-  file.set_attribute(at, "peak_speed", s.peak_speed);
-  file.set_attribute(at, "worst_residual", s.worst_residual);
-  file.set_attribute(at, "end_time", s.end_time);
-  file.set_attribute(at, "units",
-                     "first_crack_time (of the shaking; below 0: none), end_time: s; tension, shear, compression, slipped, first_tension, "
-                     "first_shear, first_compression, settling_tension, settling_shear, settling_compression, settling_slipped: segment "
-                     "sides; "
-                     "peak_base_shear: N; peak_speed: m/s; " +
-                         figure_units() + "; the others: 1");
-}
-
-void write_drive(Hdf5File& file, const solver::Drive& d) {
-  const std::string at = "/assessment";
-  file.make_group(at);
-  file.set_attribute(at, "frequency", d.frequency);
-  file.set_attribute(at, "damping", d.damping);
-  file.set_attribute(at, "pace", d.pace);
-  file.set_attribute(at, "compliance", d.compliance);
-  file.set_attribute(at, "stiffness", d.stiffness);
-  file.set_attribute(at, "fastest", d.fastest);
-  file.set_attribute(at, "weight", d.weight);
-  file.set_attribute(at, "speed", d.speed);
-  file.set_attribute(at, "quiet", d.quiet);
-  file.set_attribute(
-      at, "units",
-      std::string("frequency: Hz, the first with all joints closed; damping: 1/s; pace: s; compliance: m at a load factor of "
-                  "1; stiffness: load factor per m; fastest: m/s, of the moving end; weight: N, of all forces at a load factor of 1; "
-                  "speed: of the histories "
-                  "of supports, 1; quiet: J, less than this a structure has that follows its supports"));
-}
-
 }  // namespace
 
 ResultsWriter::ResultsWriter(std::string folder, const cases::Model& model, std::string case_toml,
@@ -89,7 +38,8 @@ ResultsWriter::ResultsWriter(std::string folder, const cases::Model& model, std:
       histories_(history_names.size()),
       ties_(cases::own_ties(model)),
       groups_(cases::tie_groups(model).size()),
-      schema_(row_schema(history_names, model.blocks.size(), options.cuts, ties_.size(), groups_.size())),
+      loads_(model.load_history.size()),
+      schema_(row_schema(history_names, model.blocks.size(), options.cuts, ties_.size(), groups_.size(), model.load_history.size())),
       model_(model_datasets(model)),
       provenance_(std::move(provenance)),
       options_(options) {
@@ -137,6 +87,7 @@ void ResultsWriter::history(double time, std::span<const solver::HistorySample> 
   }
   if (!ties_.empty()) put_ties(to, column);
   if (!groups_.empty()) put_groups(to, column);
+  if (!loads_.empty()) put_loads(to, column);
   write_if_due();
 }
 
@@ -150,6 +101,11 @@ void ResultsWriter::tie_groups(double, std::span<const solver::TieGroupSample> s
   std::ranges::copy(samples, groups_.begin());
 }
 
+void ResultsWriter::loads(double, std::span<const solver::LoadSample> samples) {
+  if (samples.size() != loads_.size()) throw std::logic_error("a row of loads has another number of samples than the case");
+  std::ranges::copy(samples, loads_.begin());
+}
+
 void ResultsWriter::put_ties(RowBuffer& to, std::size_t& column) {
   for (const auto value : {&solver::TieSample::force, &solver::TieSample::elongation, &solver::TieSample::plastic}) {
     for (const solver::TieSample& s : ties_) to.put(column, s.*value);
@@ -159,7 +115,7 @@ void ResultsWriter::put_ties(RowBuffer& to, std::size_t& column) {
   ++column;
 }
 
-void ResultsWriter::put_groups(RowBuffer& to, std::size_t column) {
+void ResultsWriter::put_groups(RowBuffer& to, std::size_t& column) {
   for (const auto value : {&solver::TieGroupSample::force, &solver::TieGroupSample::elongation, &solver::TieGroupSample::utilisation}) {
     for (const solver::TieGroupSample& s : groups_) to.put(column, s.*value);
     ++column;
@@ -168,6 +124,11 @@ void ResultsWriter::put_groups(RowBuffer& to, std::size_t column) {
     for (const solver::TieGroupSample& s : groups_) to.put(column, s.*value);
     ++column;
   }
+}
+
+void ResultsWriter::put_loads(RowBuffer& to, std::size_t column) {
+  for (const solver::LoadSample& s : loads_) to.put(column, s.force);
+  for (const solver::LoadSample& s : loads_) to.put(column + 1, s.displacement);
 }
 
 void ResultsWriter::energy(const solver::EnergyRow& row) {
@@ -250,6 +211,11 @@ void ResultsWriter::assessment(const solver::AssessmentRow& row) {
 
 void ResultsWriter::drive(const solver::Drive& d) {
   drive_ = d;
+  stale_ = true;
+}
+
+void ResultsWriter::control(std::int32_t element) {
+  control_ = element;
   stale_ = true;
 }
 
@@ -371,8 +337,8 @@ void ResultsWriter::write_facts(Hdf5File& file, bool merged) const {
   file.set_attribute("/summary", "finished", std::int64_t{finished_});
   if (state_hash_) file.set_attribute("/summary", "state_hash", hexadecimal(*state_hash_));
   if (failure_) file.set_attribute("/summary", "failure", *failure_);
-  write_summary(file, summary_);
-  if (drive_) write_drive(file, *drive_);
+  if (summary_) write_summary(file, *summary_);
+  if (drive_) write_drive(file, *drive_, control_);
   if (measures_) write_measures(file, *measures_);
   if (capacity_) write_capacity(file, *capacity_);
   write_datasets(file, model_);

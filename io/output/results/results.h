@@ -38,6 +38,12 @@ struct ResultsOptions {
   std::optional<EarlierRows> earlier;
 };
 
+/// Writes the summary as attributes of /summary. \throw FileError
+void write_summary(Hdf5File& file, const solver::Summary& s);
+/// Writes how an analysis loads as attributes of /assessment. \param control  element that is the control point; none: not known
+/// \throw FileError
+void write_drive(Hdf5File& file, const solver::Drive& d, std::optional<std::int32_t> control);
+
 class ResultsWriter final : public solver::Recorder {
  public:
   /// Writes run.h5 with the model and no rows, so that readers find it from the start.
@@ -60,6 +66,7 @@ class ResultsWriter final : public solver::Recorder {
   void history(double time, std::span<const solver::HistorySample> samples) override;
   void ties(double time, std::span<const solver::TieSample> samples) override;
   void tie_groups(double time, std::span<const solver::TieGroupSample> samples) override;
+  void loads(double time, std::span<const solver::LoadSample> samples) override;
   void energy(const solver::EnergyRow& row) override;
   void forces(const solver::ForcesRow& row) override;
   void cuts(double time, std::span<const solver::CutSample> samples) override;
@@ -69,6 +76,7 @@ class ResultsWriter final : public solver::Recorder {
   void assessment(const solver::AssessmentRow& row) override;
   /// Sets attributes of /assessment, written to run.h5 with the next part.
   void drive(const solver::Drive& d) override;
+  void control(std::int32_t element) override;
   /// Sets the summary, written to run.h5 with the next part.
   void summary(const solver::Summary& s) override;
   /// Sets the final solver::state_hash, written to run.h5 beside the summary with the next part.
@@ -82,6 +90,8 @@ class ResultsWriter final : public solver::Recorder {
 
   /// Results of a quasi-static analysis, set by measure().
   [[nodiscard]] const std::optional<Capacity>& capacity() const noexcept { return capacity_; }
+  /// Measures, set by measure().
+  [[nodiscard]] const std::optional<Measures>& measures() const noexcept { return measures_; }
 
   /// Writes buffered rows as a part and replaces run.h5. To be called before a checkpoint is written, so that a resumed run finds all rows
   /// up to it.
@@ -103,7 +113,8 @@ class ResultsWriter final : public solver::Recorder {
 
   [[nodiscard]] RowBuffer& table(RowTable t) noexcept { return nth(buffers_, t); }
   void put_ties(RowBuffer& to, std::size_t& column);
-  void put_groups(RowBuffer& to, std::size_t column);
+  void put_groups(RowBuffer& to, std::size_t& column);
+  void put_loads(RowBuffer& to, std::size_t column);
   [[nodiscard]] double wall_clock() const;
   void continue_earlier();
   void write_if_due();
@@ -117,6 +128,7 @@ class ResultsWriter final : public solver::Recorder {
   std::size_t elements_, histories_;
   std::vector<solver::TieSample> ties_;         // of the next row
   std::vector<solver::TieGroupSample> groups_;  // likewise
+  std::vector<solver::LoadSample> loads_;       // likewise
   RowSchema schema_;
   std::vector<StaticDataset> model_;
   Provenance provenance_;
@@ -127,6 +139,7 @@ class ResultsWriter final : public solver::Recorder {
   std::size_t next_part_ = 0, merge_above_ = 0;
   std::optional<solver::Summary> summary_;
   std::optional<solver::Drive> drive_;
+  std::optional<std::int32_t> control_;  // element
   std::optional<std::uint64_t> state_hash_;
   std::optional<std::string> failure_;
   std::optional<Measures> measures_;

@@ -48,7 +48,16 @@ void add_mesh_columns(TableSpec& t, std::uint64_t n) {
   t.push_back({"/meshes/broken", i64, {n}, {"1", "bars that have broken"}, {}});
 }
 
-TableSpec history_columns(std::span<const std::string> names, std::uint64_t ties, std::uint64_t groups) {
+void add_load_columns(TableSpec& t, std::uint64_t n) {
+  t.push_back({"/loaded/force", f64, {n, 3}, {"N", "of each [[load]] of the case, in order, at /history/time; global axes"}, {}});
+  t.push_back({"/loaded/displacement",
+               f64,
+               {n, 3},
+               {"m", "of the place where each acts, relative to the base, from time zero; global axes; NaN: it acts nowhere"},
+               {}});
+}
+
+TableSpec history_columns(std::span<const std::string> names, std::uint64_t ties, std::uint64_t groups, std::uint64_t loads) {
   TableSpec t{scalar("/history/time", "s", "time of the rows of all histories; zero is the start of shaking, settling is before")};
   for (const std::string& name : names) {
     const std::string group = "/history/" + name + "/";
@@ -58,6 +67,7 @@ TableSpec history_columns(std::span<const std::string> names, std::uint64_t ties
   }
   if (ties > 0) add_tie_columns(t, ties);
   if (groups > 0) add_mesh_columns(t, groups);
+  if (loads > 0) add_load_columns(t, loads);
   return t;
 }
 
@@ -159,10 +169,10 @@ std::size_t ColumnSpec::row_bytes() const noexcept {
 }
 
 RowSchema row_schema(std::span<const std::string> history_names, std::uint64_t elements, std::span<const std::string> cut_names,
-                     std::uint64_t ties, std::uint64_t groups) {
+                     std::uint64_t ties, std::uint64_t groups, std::uint64_t loads) {
   check_names("history", history_names);
   check_names("cut", cut_names);
-  return {history_columns(history_names, ties, groups),
+  return {history_columns(history_names, ties, groups, loads),
           energy_columns(),
           forces_columns(),
           damage_columns(),

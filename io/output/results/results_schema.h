@@ -44,11 +44,11 @@ using RowSchema = std::array<TableSpec, kRowTables>;
 /// The tables of a run.
 /// \param history_names  of the followed elements, in the order of Recorder::history
 /// \param cut_names  in the order of Recorder::cuts
-/// \param ties, groups  numbers in the model of separate ties, and of decks and meshes: their rows are in /ties and /meshes and belong to
-/// the table of histories
+/// \param ties, groups, loads  numbers in the model of separate ties, of decks and meshes, and of [[load]]s: their rows are in /ties,
+/// /meshes and /loaded and belong to the table of histories
 /// \throw std::invalid_argument if a name is empty, "time", a duplicate, contains '/' or a control character, or is "." or ".."
 RowSchema row_schema(std::span<const std::string> history_names, std::uint64_t elements, std::span<const std::string> cut_names = {},
-                     std::uint64_t ties = 0, std::uint64_t groups = 0);
+                     std::uint64_t ties = 0, std::uint64_t groups = 0, std::uint64_t loads = 0);
 
 /// Rows of one table not yet on disk.
 class RowBuffer {

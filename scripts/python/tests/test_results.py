@@ -48,6 +48,18 @@ class Results(InAFolder):
         self.assertEqual(self.run_.case["title"], "Two bonded blocks")
         self.assertTrue(self.run_.provenance["version"].startswith("0."))
 
+    def test_loads_have_the_displacement_of_their_places(self):
+        case = blocks()
+        case.case["load"] = [{"block": "upper", "force": [5.0, 0.0, 0.0]}]
+        run = case.run(f"{self.scratch.name}/loaded", until=0.06, threads=1)
+        loaded, measures = run.loaded, run.loads["load 1"]
+        self.assertEqual(loaded.displacement.shape, (len(loaded.time), 1, 3))
+        self.assertTrue(np.allclose(loaded.force[:, 0], [5.0, 0.0, 0.0]))
+        self.assertTrue(np.allclose(loaded.displacement[:, 0], run.history("upper").displacement, atol=1e-9))  # it acts at the centroid
+        self.assertEqual(measures["peak_force"], 5.0)
+        self.assertEqual(measures["end_displacement"], loaded.displacement[-1, 0, 0])
+        self.assertEqual(self.run_.loads, {})
+
     def test_ties_and_walls_are_there_by_name(self):
         self.assertEqual((self.run_.ties, self.run_.walls), ({}, {}))
 

@@ -396,6 +396,19 @@ class Results:
             return {} if group is None else _by_name(Table(group))
 
     @property
+    def loads(self) -> dict[str, dict[str, float]]:
+        """Measures of each load: peak_force, displacement_at_peak_force, peak_displacement, end_force, end_displacement, ..."""
+        with reading(f"{self._path}, summary/load"):
+            group = self._at("summary").get("load")
+            return {} if group is None else _by_name(Table(group), leave_out=("place",))
+
+    @property
+    def loaded(self) -> History:
+        """Loads over time: `time` (s), `force` (N) and `displacement` (m, of the place where a load acts), rows x loads x 3."""
+        with reading(f"{self._path}, loaded"):
+            return History(self._at("loaded"), self._at("history/time"))
+
+    @property
     def provenance(self) -> dict[str, Any]:
         return _plain(self._at("provenance").attrs)
 
@@ -406,9 +419,9 @@ class Results:
             return bool(self.summary["finished"])
 
 
-def _by_name(table: Table) -> dict[str, dict[str, float]]:
+def _by_name(table: Table, leave_out: tuple[str, ...] = ()) -> dict[str, dict[str, float]]:
     """The rows of a table by their column `name`."""
-    columns = {name: table[name] for name in table}
+    columns = {name: table[name] for name in table if name not in leave_out}
     names = columns.pop("name")
     return {name: {key: float(values[k]) for key, values in columns.items()} for k, name in enumerate(names)}
 

@@ -41,18 +41,20 @@ function demandRows(p) {
   return [["Demand", p.spectrum], ["… participation", fixed(p.participation, 3, "")], ["… effective mass", percent((p.participation * p.mass) / p.all_mass, 0)], ["Near collapse", millimetres(p.near_collapse)], ...points];
 }
 
+const control = (c) => (c.control ? [["Control point", `${c.control.part}, element ${c.control.element}, at (${c.control.position.map((x) => x.toFixed(2)).join(", ")}) m`]] : []);
+
 /** Rows of a table: [name, value]. */
 export function capacityTable({ facts }) {
   const c = facts.capacity;
   if (!c) return [];
-  if (c.kind === "settlement") return [["Fell at", fixed(c.collapse_time, 2, "s")], ["Mechanism at the end", c.mechanism_at_end.join("; ")]];
+  if (c.kind === "settlement") return [...control(c), ["Fell at", fixed(c.collapse_time, 2, "s")], ["Mechanism at the end", c.mechanism_at_end.join("; ")]];
   const loops = (c.loops ?? []).flatMap((l, i) => [
     [`Loop ${i + 1}, ${millimetres(l.least)} to ${millimetres(l.most)}`, fixed(l.area, 2, "J")],
     [`… ${i + 1} lost, stored`, `${l.dissipated.toFixed(2)}, ${l.stored.toFixed(2)} J`],
     [`… ${i + 1} viscous damping`, percent(l.viscous_damping, 1)],
   ]);
   const grows = c.kind === "cyclic" ? loops : [...named(bilinear(c, "ec8", "EC 8"), "EC 8"), ...named(bilinear(c, "ntc", "NTC 2018"), "NTC"), ...demandRows(c.performance), ["At the peak", c.mechanism.join("; ")], ["At the end", c.mechanism_at_end.join("; ")]];
-  return [["Borne by inertia and damping", percent(c.motion_share)], ["Kinetic energy over work", percent(c.kinetic_share)], ...grows];
+  return [...control(c), ["Borne by inertia and damping", percent(c.motion_share)], ["Kinetic energy over work", percent(c.kinetic_share)], ...grows];
 }
 
 /** Limit analysis of the same case, and why it may differ: [name, value]. */

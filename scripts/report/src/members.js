@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-// Drift of each storey by wall; rods, decks and meshes with force, elongation, utilisation.
+// Drift of each storey by wall; rods, decks and meshes with force, elongation, utilisation; loads with the displacement of their places.
 const is = (x) => x !== null && x !== undefined;
 const percent = (x, digits = 2) => (is(x) ? `${(100 * x).toFixed(digits)} %` : "–");
 const millimetres = (x) => (is(x) ? `${(1000 * x).toFixed(1)} mm` : "–");
@@ -28,4 +28,10 @@ export function tieTables(m) {
     ["Rods and other ties: largest in the run", head("tie"), ties.filter((t) => t.bars === 0).map(row)],
     ["Decks and meshes: the bar that bears most", head("deck"), ties.filter((t) => t.bars > 0).map(row)],
   ].filter(([, , rows]) => rows.length > 0);
+}
+
+/** [caption, head, rows] of the loads. */
+export function loadTables(m) {
+  const kilonewtons = (x) => (is(x) ? `${(x / 1000).toFixed(2)} kN` : "–"), rows = (m?.loads ?? []).map((l) => [`${l.name}, ${l.place}`, kilonewtons(l.peak_force), millimetres(l.displacement_at_peak_force), millimetres(l.peak_displacement), kilonewtons(l.end_force), millimetres(l.end_displacement)]);
+  return rows.length > 0 ? [["Loads, and their places along the force", ["load", "largest", "displaced", "displaced most", "at the end", "displaced"], rows]] : [];
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The figures of the run in words: what matters most, large; the rest in tables; where the numbers come from, folded away.
 import { capacityKeys, capacityTable, limitTable } from "./capacity.js";
-import { storeyTables, tieTables } from "./members.js";
+import { loadTables, storeyTables, tieTables } from "./members.js";
 import { kGrades } from "./timeline.js";
 
 const count = (n) => n.toLocaleString("en");
@@ -144,7 +144,7 @@ export function showSummary(top, rest, folded, runs) {
   table(rest, runs.length > 1 ? ["", "A", "B"] : null, both(runs, damage).map(mark), "Damage");
   runs.forEach((run, i) => run.facts.measures?.walls.length > 0 && partsTable(rest, run.facts.measures, runs.length > 1 ? `Walls and roof, ${"AB"[i]}` : "Walls and roof"));
   runs.forEach((run, i) => {
-    for (const [caption, head, rows] of [...storeyTables(run.facts.measures), ...tieTables(run.facts.measures)]) table(rest, head, rows, runs.length > 1 ? `${caption}, ${"AB"[i]}` : caption);
+    for (const [caption, head, rows] of [...storeyTables(run.facts.measures), ...tieTables(run.facts.measures), ...loadTables(run.facts.measures)]) table(rest, head, rows, runs.length > 1 ? `${caption}, ${"AB"[i]}` : caption);
   });
   runs.forEach((run, i) => {
     const note = run.facts.measures?.chance?.note;

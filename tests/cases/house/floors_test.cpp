@@ -202,8 +202,10 @@ TEST_CASE("floors: what is refused") {
   check_refused(c, Change([&](House& h) { floor(h).beam = {0.1, 0.6}; }), "house.floor[0].beam", "less than the height of the storey");
   check_refused(c, Change([&](House& h) { floor(h).beam = {1.9, 0.2}, floor(h).spacing = 3.0; }), "house.floor[0].beam", "too wide");
   check_refused(c, Change([&](House& h) { floor(h).spacing = 0.15; }), "house.floor[0].spacing", "at least 0.2 m");
-  check_refused(c, Change([&](House& h) { floor(h).bearing = 0.16; }), "house.floor[0].bearing",
-                "leaves 0.04 m of bricks of the front wall behind the beams; at least 0.05 m, or none; nearest: 0.2 or 0.15 m");
+  check_refused(
+      c, Change([&](House& h) { floor(h).bearing = 0.16; }), "house.floor[0].bearing",
+      "makes pockets that cut bricks of the front wall to 0.04 m behind the beams; a cut brick has at least 0.05 m, half its width; "
+      "nearest that fit: 0.2 or 0.15 m");
   check_refused(c, Change([&](House& h) { floor(h).bearing = 0.3; }), "house.floor[0].bearing", "at most 0.2 m");
   check_refused(c, Change([&](House& h) { floor(h).element = 1e-6; }), "house.floor[0].element", "more than 1000 parts");
   check_refused(c, Change([&](House& h) { floor(h).load = -1.0; }), "house.floor[0].load", "allowed: 0 to");

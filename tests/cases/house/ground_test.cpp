@@ -176,3 +176,23 @@ TEST_CASE("parts of the base that make no sense are refused by name") {
       },
       "base.part[0].wall", "the case has no [house]");
 }
+
+TEST_CASE("ground: a corner beside a door settles on parts that leave the doorway out; one that fills it is refused with that advice") {
+  Case c = testing::paper_flat20();  // door from 1.0 to 2.2 m
+  const auto part = [&](double x0, double x1, double y0, double y1) {
+    BasePart p;
+    p.x = {x0, x1}, p.y = {y0, y1}, p.level = 0.1;
+    c.base->parts.push_back(p);
+  };
+  part(0.0, 1.0, 0.0, 1.2), part(2.2, 6.0, 0.0, 1.2), part(0.0, 6.0, 1.2, 4.0);
+  const Model m = build_model(c);
+  CHECK(lowest(m, 0.5) == doctest::Approx(0.1));
+  CHECK(lowest(m, 4.0) == doctest::Approx(0.1));
+  check_nothing_unjoined(m);
+  testing::check_refused(
+      c,
+      [](Case& k) {
+        k.base->parts[1].x = {1.0, 6.0};
+      },
+      "house.opening[0]", "; end base.part[1] beside the opening (leave the doorway out), or give the opening a sill of at least 0.1 m");
+}

@@ -9,11 +9,13 @@
 #include <numeric>
 
 #include "io/input/case_file/case_file.h"
+#include "io/input/files/errors.h"
 #include "io/input/files/hdf5_file.h"
 #include "io/output/measures/capacity/equivalent_system.h"
 #include "io/output/measures/debris/bodies.h"
 #include "io/output/replay/collapse_parts.h"
 #include "io/output/replay/frame_reader.h"
+#include "io/output/replay/run_file.h"
 #include "solver/run/run.h"
 
 namespace voussoir::io {
@@ -309,6 +311,16 @@ CapacityCurve curve_of(const Hdf5File& run, const std::array<double, 2>& directi
   return c;
 }
 
+std::optional<ControlPoint> control_of(const Hdf5File& run) {
+  if (!run.has_attribute("/assessment", "control")) return {};
+  const std::int64_t element = run.attribute_int("/assessment", "control");
+  const std::vector<std::string> tags = run.read_strings("/model/element/tag");
+  const auto k = static_cast<std::size_t>(element);
+  if (element < 0 || k >= tags.size()) throw FileError(run.path(), "/assessment: control is no element of the model");
+  const std::vector<double> position = run.read<double>("/model/element/position0");
+  return ControlPoint{element, tags[k], Vec3{position.at(3 * k), position.at(3 * k + 1), position.at(3 * k + 2)} + origin_of_run(run)};
+}
+
 }  // namespace
 
 Capacity capacity_of(cases::AnalysisKind kind, double drop, double pace, double weight, double quiet, CapacityCurve curve) {
@@ -337,6 +349,7 @@ std::optional<Capacity> capacity_figures(const Hdf5File& run) {
   Capacity c = capacity_of(a.kind, a.drop, drive("pace"), drive("weight"), drive("quiet"), std::move(curve));
   const bool collapsed = run.has_attribute("/summary", "collapsed") && run.attribute_int("/summary", "collapsed") != 0;
   c.ended = why_ended(c, a, collapsed);
+  c.control = control_of(run);
   return c;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cases/tables/analysis.h"
+#include "geometry/vec3.h"
 #include "io/output/measures/capacity/capacity_curve.h"
 #include "io/output/measures/capacity/performance.h"
 
@@ -31,9 +32,17 @@ struct Loop {
   double viscous_damping = 0.0;  // equivalent viscous damping: the area over 4π times the elastic energy of the loop's secant
 };
 
+/// The element whose displacement is that of the curve.
+struct ControlPoint {
+  std::int64_t element = 0;
+  std::string part;  // of the building, or name of the block
+  Vec3 position;     // m, of its centroid at the start, in the axes of the case file
+};
+
 struct Capacity {
   cases::AnalysisKind kind = cases::AnalysisKind::pushover;
   double drop = 0.2;                    // analysis.drop
+  std::optional<ControlPoint> control;  // none: a run of an earlier version, which does not tell
   std::string ended;                    // reason for the end of the run: see MEASURES.md
   double multiplier = 0.0;              // the largest load factor
   double multiplier_at_rest = 0.0;      // largest mean over a tenth of the pace, without the part borne by inertia and mass damping

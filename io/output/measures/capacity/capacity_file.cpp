@@ -164,6 +164,10 @@ std::string capacity_json(const Capacity& c, bool with_curve) {
   for (const Figure& f : figures_of(c)) std::visit([&](const auto& value) { out[f.name] = value; }, f.value);
   if (c.kind == AnalysisKind::cyclic) out["loops"] = loops_json(c.loops);
   if (c.performance) out["performance"] = Json::parse(performance_json(*c.performance));
+  if (c.control) {
+    const Vec3 p = c.control->position;
+    out["control"] = {{"element", c.control->element}, {"part", c.control->part}, {"position", {p.x, p.y, p.z}}};
+  }
   out["mechanism"] = c.mechanism;
   out["mechanism_time"] = c.mechanism_time;
   out["mechanism_at_end"] = c.mechanism_at_end;
@@ -179,6 +183,11 @@ std::string capacity_text(const Capacity& c) {
   const bool on = c.ended == "not yet";
   std::string text = on ? line("analysis", "%s, not at its end: figures so far", name_of(c.kind))
                         : line("analysis", "%s, ended by: %s", name_of(c.kind), c.ended.c_str());
+  if (c.control) {
+    const Vec3 p = c.control->position;
+    text += line("control point", "%s (element %lld), at (%.3f, %.3f, %.3f) m", c.control->part.c_str(),
+                 static_cast<long long>(c.control->element), p.x, p.y, p.z);
+  }
   if (c.kind == AnalysisKind::settlement) {
     text += std::isnan(c.collapse_movement)
                 ? line("fell", "%s; supports moved by %.4f m", on ? "not so far" : "never", c.curve.support_moved.back())
@@ -227,6 +236,14 @@ void write_capacity(Hdf5File& file, const Capacity& c) {
     units.append(units.empty() ? "" : "; ").append(f.name).append(": ").append(f.unit);
   }
   file.set_attribute(at, "mechanism_time", c.mechanism_time);
+  if (c.control) {
+    file.set_attribute(at, "control_element", c.control->element);
+    file.set_attribute(at, "control_part", c.control->part);
+    file.set_attribute(at, "control_x", c.control->position.x);
+    file.set_attribute(at, "control_y", c.control->position.y);
+    file.set_attribute(at, "control_z", c.control->position.z);
+    units += "; control_x, control_y, control_z: m, in the axes of the case file";
+  }
   file.set_attribute(at, "units", units + "; mechanism_time: s");
   if (!c.loops.empty()) write_loops(file, at + "/loops", c.loops);
   file.write_strings(at + "/mechanism", c.mechanism, {"1", "parts that move as one from the largest load factor on, and what they do"});

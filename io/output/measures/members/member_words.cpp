@@ -73,4 +73,19 @@ std::string ties_text(const Measures& m) {
   return tie_rows(m, false, width) + tie_rows(m, true, width);
 }
 
+std::string loads_text(const std::vector<LoadMeasures>& loads) {
+  if (loads.empty()) return {};
+  const auto kilonewtons = [](double f) { return figure("%.2f kN", 1e-3 * f); };
+  std::string out = printed("\n%-20s %11s %9s %12s %15s %9s %11s %11s %12s\n", "loads, along force", "largest", "at", "displaced",
+                            "displaced most", "at", "force then", "at end", "displaced");
+  for (const LoadMeasures& l : loads)
+    out += printed(
+        "  %-18s %11s %9s %12s %15s %9s %11s %11s %12s\n", l.name.c_str(), kilonewtons(l.peak_force).c_str(),
+        seconds(l.peak_force_time).c_str(), millimetres(l.displacement_at_peak).c_str(), millimetres(l.peak_displacement).c_str(),
+        std::isnan(l.peak_displacement_time) ? "-" : seconds(l.peak_displacement_time).c_str(),
+        kilonewtons(l.force_at_peak_displacement).c_str(), kilonewtons(l.end_force).c_str(), millimetres(l.end_displacement).c_str());
+  for (const LoadMeasures& l : loads) out += "  " + l.name + ": " + l.place + "\n";
+  return out;
+}
+
 }  // namespace voussoir::io

@@ -15,4 +15,8 @@ std::string storeys_text(const Measures& m);
 /// Rods, then decks and meshes: largest force, elongation and utilisation; empty without.
 std::string ties_text(const Measures& m);
 
+/// Loads: where each acts, its largest force and the displacement of its place then, the largest displacement, and both at the end; empty
+/// without.
+std::string loads_text(const std::vector<LoadMeasures>& loads);
+
 }  // namespace voussoir::io

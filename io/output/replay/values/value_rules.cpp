@@ -76,6 +76,7 @@ std::vector<ValueRule> rules_of_rows() {
           {"/meshes/utilisation", {"/history/time", kMeshes}, any},
           {"/meshes/yielded", {"/history/time", kMeshes}, row},
           {"/meshes/broken", {"/history/time", kMeshes}, row},
+          {"/loaded/", {"/history/time"}, any},
           {"/acceleration/time", {"/acceleration/time"}, time},
           {"/acceleration/", {"/acceleration/time"}, row},
           {"/energy/time", {"/energy/time"}, time},
@@ -105,7 +106,8 @@ std::vector<ValueRule> rules_of_rows() {
           {"/measures/damage_grade", {"/measures/time"}, index, "6", -1},
           {"/measures/", {"/measures/time"}, any},
           {"/summary/wall/", {kWalls}, any},
-          {"/summary/tie/", {kTieGroups}, any}};
+          {"/summary/tie/", {kTieGroups}, any},
+          {"/summary/load/", {"/summary/load/name"}, any}};
 }
 
 }  // namespace
