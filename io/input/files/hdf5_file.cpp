@@ -131,6 +131,7 @@ Hdf5File Hdf5File::open(const std::string& path) {
   doing.check(id < 0 ? -1 : 0);
   Hdf5File file(path, id);
   file.sealed_ = hdf5::paged_file(id).sealed();
+  file.read_only_ = true;
   return file;
 }
 
@@ -151,16 +152,20 @@ Hdf5File::Hdf5File(Hdf5File&& other) noexcept
       handle_(std::exchange(other.handle_, -1)),
       sealed_(other.sealed_),
       is_part_(other.is_part_),
+      read_only_(other.read_only_),
       inspection_(std::move(other.inspection_)),
-      sources_(std::move(other.sources_)) {}
+      sources_(std::move(other.sources_)),
+      shapes_(std::move(other.shapes_)) {}
 
 Hdf5File& Hdf5File::operator=(Hdf5File&& other) noexcept {
   std::swap(path_, other.path_);
   std::swap(handle_, other.handle_);
   std::swap(sealed_, other.sealed_);
   std::swap(is_part_, other.is_part_);
+  std::swap(read_only_, other.read_only_);
   std::swap(inspection_, other.inspection_);
   std::swap(sources_, other.sources_);
+  std::swap(shapes_, other.shapes_);
   return *this;
 }
 
@@ -278,8 +283,11 @@ void Hdf5File::create_virtual(const std::string& name, Hdf5Type type, const Shap
 }
 
 Shape Hdf5File::shape(const std::string& name) const {
+  if (const auto known = shapes_.find(name); known != shapes_.end()) return known->second;
   const Doing doing{path_, "read", name};
-  return extent_of(doing, doing.own(H5Dopen2(handle_, name.c_str(), H5P_DEFAULT), H5Dclose));
+  Shape shape = extent_of(doing, doing.own(H5Dopen2(handle_, name.c_str(), H5P_DEFAULT), H5Dclose));
+  if (read_only_) shapes_.emplace(name, shape);
+  return shape;
 }
 
 Hdf5Dataset Hdf5File::describe(const std::string& name) const {

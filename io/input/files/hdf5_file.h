@@ -193,8 +193,10 @@ class Hdf5File {
   std::string path_;
   std::int64_t handle_ = -1;
   bool sealed_ = false, is_part_ = false;  // a part holds its rows itself
+  bool read_only_ = false;                 // so that shapes stay what they are
   Inspection inspection_;
   mutable std::map<std::string, std::shared_ptr<const Hdf5File>> sources_;  // opened, by name
+  mutable std::map<std::string, Shape> shapes_;                             // asked for, of a file that is read only
 };
 
 }  // namespace voussoir::io

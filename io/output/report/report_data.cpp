@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "cases/case.h"
 #include "geometry/message.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/hdf5_file.h"
