@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "cases/house/house_case.h"
+
 /// Walls of any plan as plain data: [[wall]] of the case file. SI units.
 namespace voussoir::cases {
 
@@ -20,6 +22,7 @@ struct WallOpening {
   double from = 0.0;                             // m, along the wall's line from its first point
   double width = 0.0, sill = 0.0, height = 0.0;  // m; sill: above the foot of the wall
   std::optional<WallLintel> lintel;
+  std::optional<Arch> arch;  // on the lintel if there is one, as in a house; its material: none: that of the wall
 };
 /// running, english, header: as in a house. through: one block through the wall, in running bond.
 enum class WallBond { running, english, header, through };

@@ -3,12 +3,14 @@
 #include "cases/walls/wall_courses.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
 
 #include "cases/house/house_courses.h"
 #include "cases/house/house_thickness.h"
+#include "cases/house/walls/arches.h"
 #include "cases/names.h"
 #include "cases/walls/wall_meetings.h"
 
@@ -64,6 +66,7 @@ struct Obstacle {
 /// Obstacles for a hole: where other legs meet this one, other openings, the free ends.
 std::vector<Obstacle> obstacles_for(const WallsPlan& plan, const Leg& leg, const LegHole& hole) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
+  constexpr std::array kKeys{"from", "lintel", "arch"};
   std::vector<Obstacle> all;
   for (const Station& s : leg.stations) {
     const Meeting& m = plan.meetings[s.meeting];
@@ -76,8 +79,8 @@ std::vector<Obstacle> obstacles_for(const WallsPlan& plan, const Leg& leg, const
   for (const LegHole& other : leg.holes) {
     if (other.opening == hole.opening || !other.height.overlaps(hole.height)) continue;
     all.push_back({other.low, other.high,
-                   opening_key(leg.wall, other.opening, other.lintel ? "lintel" : "from") + " is from " + length_text(other.low) + " to " +
-                       length_text(other.high) + " m"});
+                   opening_key(leg.wall, other.opening, kKeys[static_cast<std::size_t>(other.kind)]) + " is from " +
+                       length_text(other.low) + " to " + length_text(other.high) + " m"});
   }
   if (leg.ring) return all;
   if (leg.end(LegEnd::low) == nullptr) all.push_back({-kFar, 0.0, "it begins"});
@@ -114,6 +117,41 @@ void check_place(const WallSpec& wall, const WallsPlan& plan, const Leg& leg, co
                                                     : "; there is no room for it in this side"));
 }
 
+/// Adds a hole upon an opening, wider by `beyond` at either side, and as high as a key says.
+void add_upon(const WallSpec& wall, const WallsPlan& plan, Leg& leg, const LegHole& under, double beyond, const std::string& key,
+              LegHole hole, const std::string& height_key, double height) {
+  const Tick top = ticks(wall.base + wall.height);
+  if (hole.height.high > top)
+    throw InputError(height_key, text(height) + " m ends at " + metres_text(hole.height.high - ticks(wall.base)) + " m, above the wall (" +
+                                     text(wall.height) + " m)");
+  hole.low = under.low - beyond, hole.high = under.high + beyond, hole.opening = under.opening;
+  check_place(wall, plan, leg, hole, key, beyond, -1.0, 1.0);
+  leg.holes.push_back(hole);
+}
+
+void add_lintel_seat(const WallSpec& wall, const WallsPlan& plan, Leg& leg, const LegHole& under) {
+  const auto key = [&](const char* field) { return opening_key(leg.wall, under.opening, field); };
+  const WallLintel& lintel = *wall.openings[under.opening].lintel;
+  if (!(lintel.bearing >= least_piece(wall)))
+    throw InputError(key("lintel.bearing"),
+                     text(lintel.bearing) + " m is less than a fifth of a brick; at least " + text(least_piece(wall)) + " m");
+  const Tick head = under.height.high, height = positive_length(lintel.height, key("lintel.height"));
+  add_upon(wall, plan, leg, under, lintel.bearing, key("lintel.bearing"), {0.0, 0.0, {head, head + height}, 0, HoleKind::lintel},
+           key("lintel.height"), lintel.height);
+}
+
+void add_arch_frame(const WallSpec& wall, const WallsPlan& plan, Leg& leg, const LegHole& under) {
+  const auto key = [&](const char* field) { return opening_key(leg.wall, under.opening, field); };
+  const WallOpening& o = wall.openings[under.opening];
+  if (leg.facets.size() > 1) throw InputError(key("arch"), "stands in a side that bends; arches stand in straight ones");
+  const Interval span{ticks(under.low), ticks(under.high)};
+  check_arch(*o.arch, plan.bricks[leg.wall], span, key("arch"));
+  const Interval frame = arch_frame(*o.arch, under.height.high + (o.lintel ? ticks(o.lintel->height) : 0));
+  arch_sections(*o.arch, plan.bricks[leg.wall], span, frame, key("arch"));
+  add_upon(wall, plan, leg, under, o.arch->springer, key("arch.springer"), {0.0, 0.0, frame, 0, HoleKind::arch}, key("arch.thickness"),
+           o.arch->thickness);
+}
+
 void add_opening(const WallSpec& wall, std::size_t index, std::size_t opening, WallsPlan& plan) {
   const WallOpening& o = wall.openings[opening];
   const auto key = [&](const char* field) { return opening_key(index, opening, field); };
@@ -129,20 +167,11 @@ void add_opening(const WallSpec& wall, std::size_t index, std::size_t opening, W
   if (found.leg == nullptr)
     throw InputError(key("from"), text(o.from) + " m to " + text(o.from + o.width) + " m lie in no one side of the wall, whose line is " +
                                       length_text(line_length(legs)) + " m long; an opening does not go round a corner");
-  LegHole hole{found.low, found.low + o.width, {sill, head}, opening};
+  const LegHole hole{found.low, found.low + o.width, {sill, head}, opening};
   check_place(wall, plan, *found.leg, hole, key("from"), o.from, 1.0, 1.0);
   found.leg->holes.push_back(hole);
-  if (!o.lintel) return;
-  const double bearing = o.lintel->bearing;
-  if (!(bearing >= least_piece(wall)))
-    throw InputError(key("lintel.bearing"),
-                     text(bearing) + " m is less than a fifth of a brick; at least " + text(least_piece(wall)) + " m");
-  const Tick height = positive_length(o.lintel->height, key("lintel.height"));
-  if (head + height > top)
-    throw InputError(key("lintel.height"), text(o.lintel->height) + " m ends above the wall; at most " + metres_text(top - head) + " m");
-  hole = {hole.low - bearing, hole.high + bearing, {head, head + height}, opening, true};
-  check_place(wall, plan, *found.leg, hole, key("lintel.bearing"), bearing, -1.0, 1.0);
-  found.leg->holes.push_back(hole);
+  if (o.lintel) add_lintel_seat(wall, plan, *found.leg, hole);
+  if (o.arch) add_arch_frame(wall, plan, *found.leg, hole);
 }
 
 /// Levels of a wall in the order: foot, top, openings.
@@ -155,7 +184,9 @@ void add_levels(const WallSpec& wall, std::size_t index, std::vector<Level>& lev
     const Tick sill = foot + ticks(o.sill), head = sill + ticks(o.height);
     levels.push_back({sill, opening_key(index, i, "sill"), o.sill});
     levels.push_back({head, opening_key(index, i, "height"), o.height, true});
-    if (o.lintel) levels.push_back({head + ticks(o.lintel->height), opening_key(index, i, "lintel.height"), o.lintel->height, true});
+    const Tick springing = head + (o.lintel ? ticks(o.lintel->height) : 0);
+    if (o.lintel) levels.push_back({springing, opening_key(index, i, "lintel.height"), o.lintel->height, true});
+    if (o.arch) levels.push_back({arch_frame(*o.arch, springing).high, opening_key(index, i, "arch.thickness"), o.arch->thickness, true});
   }
 }
 

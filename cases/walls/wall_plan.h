@@ -51,12 +51,15 @@ struct Meeting {
   int turn = 0, turns = 1;          // of the guest, among all at its place
 };
 
-/// A part of a leg without bricks: an opening, or the seat of a lintel.
+/// What a part of a leg without bricks is: an opening, the seat of its lintel, or the frame of its arch.
+enum class HoleKind { opening, lintel, arch };
+
+/// A part of a leg without bricks.
 struct LegHole {
   double low = 0.0, high = 0.0;  // m, of s
   Interval height;               // above the base
   std::size_t opening = 0;       // of the wall
-  bool lintel = false;
+  HoleKind kind = HoleKind::opening;
 };
 
 struct Leg {

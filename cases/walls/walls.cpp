@@ -8,6 +8,7 @@
 #include "cases/house/house_parts.h"
 #include "cases/house/house_thickness.h"
 #include "cases/house/house_wall.h"
+#include "cases/house/walls/arches.h"
 #include "cases/names.h"
 #include "cases/walls/wall_layout.h"
 #include "cases/walls/wall_plan.h"
@@ -32,18 +33,20 @@ const Courses& courses_of(const WallsPlan& plan, std::size_t wall) { return plan
 /// Materials of a wall, indices into Model::materials.
 struct WallMaterials {
   std::int32_t bricks = 0, top = 0;
-  std::vector<std::int32_t> lintels;  // by opening; of those without one that of the wall
+  std::vector<std::int32_t> lintels, arches;  // by opening; of those without one that of the wall
 };
 
 WallMaterials materials_of(const WallSpec& wall, std::size_t index, std::span<const NamedMaterial> materials, Faults& faults) {
   WallMaterials found;
   faults.attempt([&] { found.bricks = find_material(materials, wall.material, wall_key(index, "material")); });
   for (std::size_t i = 0; i < wall.openings.size(); ++i) {
-    const auto& lintel = wall.openings[i].lintel;
-    found.lintels.push_back(found.bricks);
-    if (!lintel || !lintel->material) continue;
-    const std::string key = indexed_key(wall_key(index, "opening"), i, "lintel.material");
-    faults.attempt([&] { found.lintels.back() = find_material(materials, *lintel->material, key); });
+    const auto find = [&](std::vector<std::int32_t>& of, const auto& part, const char* field) {
+      of.push_back(found.bricks);
+      if (!part || !part->material) return;
+      faults.attempt([&] { of.back() = find_material(materials, *part->material, indexed_key(wall_key(index, "opening"), i, field)); });
+    };
+    find(found.lintels, wall.openings[i].lintel, "lintel.material");
+    find(found.arches, wall.openings[i].arch, "arch.material");
   }
   return found;
 }
@@ -67,7 +70,7 @@ void add_bricks(const WallSpec& wall, const WallsPlan& plan, const Leg& leg, std
 
 void add_lintels(const WallSpec& wall, const Leg& leg, const WallMaterials& materials, std::vector<Block>& blocks) {
   for (const LegHole& h : leg.holes) {
-    if (!h.lintel) continue;
+    if (h.kind != HoleKind::lintel) continue;
     Block block;
     block.kind = PartKind::lintel;
     block.tag = leg.tag.substr(0, leg.tag.rfind(' ')) + " lintel";
@@ -77,6 +80,39 @@ void add_lintels(const WallSpec& wall, const Leg& leg, const WallMaterials& mate
     block.shape =
         upright({leg.at(h.low, -leg.half), leg.at(h.high, -leg.half), leg.at(h.high, leg.half), leg.at(h.low, leg.half)}, h.height);
     blocks.push_back(block);
+  }
+}
+
+/// A prism across a straight leg. \param section  along the leg and height [m], counter-clockwise \param from, to  range of d
+geometry::Polyhedron across(const Leg& leg, const geometry::Polygon& section, double from, double to) {
+  std::vector<std::array<double, 2>> corners;
+  for (const geometry::Point2 p : section) corners.push_back({p.s, p.t});
+  geometry::Polyhedron shape = geometry::make_prism(corners, -to, -from);
+  for (Vec3& v : shape.vertices) {
+    const Vec3 plan = leg.at(v.y, -v.x);
+    v = {plan.x, plan.y, v.z};
+  }
+  return shape;
+}
+
+void add_arches(const WallSpec& wall, const HousePlan& bricks, const Leg& leg, const WallMaterials& materials, std::vector<Block>& blocks) {
+  const Tick thickness = ticks(wall.thickness), rows = rows_through(bricks, thickness);
+  for (const LegHole& h : leg.holes) {
+    if (h.kind != HoleKind::arch) continue;
+    const Arch& arch = *wall.openings[h.opening].arch;
+    const Interval span{ticks(h.low + arch.springer), ticks(h.high - arch.springer)};
+    Block block;
+    block.kind = PartKind::arch_stone;
+    block.tag = leg.tag;
+    block.wall = static_cast<std::int32_t>(leg.wall);
+    block.material = materials.arches[h.opening];
+    block.segment_size = segment_size_of(bricks.brick_length, bricks.brick_width, bricks.brick_height);
+    for (const geometry::Polygon& section : arch_sections(arch, bricks, span, h.height, wall_key(leg.wall, "opening"))) {
+      for (Tick row = 0; row < rows; ++row) {
+        block.shape = across(leg, section, metres(row * thickness / rows) - leg.half, metres((row + 1) * thickness / rows) - leg.half);
+        blocks.push_back(block);
+      }
+    }
   }
 }
 
@@ -99,6 +135,7 @@ std::vector<Block> blocks_of_walls(const std::vector<WallSpec>& walls, std::span
       if (leg.height.overlaps(courses[c])) add_bricks(walls[leg.wall], plan, leg, c, of_wall[leg.wall], blocks);
     }
     add_lintels(walls[leg.wall], leg, of_wall[leg.wall], blocks);
+    add_arches(walls[leg.wall], plan.bricks[leg.wall], leg, of_wall[leg.wall], blocks);
   }
   return blocks;
 }
@@ -148,11 +185,11 @@ std::vector<InputError> wall_heads_without_lintel(const std::vector<WallSpec>& w
   for (std::size_t w = 0; w < walls.size(); ++w) {
     for (std::size_t i = 0; i < walls[w].openings.size(); ++i) {
       const WallOpening& o = walls[w].openings[i];
-      if (o.lintel || 2.0 * o.width <= walls[w].brick[0] || ticks(o.sill + o.height) >= ticks(walls[w].height)) continue;
+      if (o.lintel || o.arch || 2.0 * o.width <= walls[w].brick[0] || ticks(o.sill + o.height) >= ticks(walls[w].height)) continue;
       found.emplace_back(indexed_key(wall_key(w, "opening"), i, ""), "the opening in the wall " + quoted(walls[w].name) + ", " +
                                                                          text(o.width) +
                                                                          " m wide, has masonry above it and nothing that carries it; give "
-                                                                         "it a lintel");
+                                                                         "it a lintel or an arch");
     }
   }
   return found;

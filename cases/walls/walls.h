@@ -12,10 +12,9 @@
 
 namespace voussoir::cases {
 
-/// Turns [[wall]] into blocks: bricks in bond with toothed corners, lintels. The base is z = 0. Blocks come wall by wall, course by course,
-/// each wall's lintels behind its bricks. Block::wall counts the walls.
-/// \param materials  Model::materials with those of loaded_wall_materials()
-/// \throw InputError, or InputErrors with all that is at fault
+/// Turns [[wall]] into blocks: bricks in bond with toothed corners, lintels, arches. The base is z = 0. Blocks come wall by wall, course by
+/// course, the lintels and arches of each side behind its bricks. Block::wall counts the walls. \param materials  Model::materials with
+/// those of loaded_wall_materials() \throw InputError, or InputErrors with all that is at fault
 std::vector<Block> blocks_of_walls(const std::vector<WallSpec>& walls, std::span<const NamedMaterial> materials);
 
 /// Materials of the top courses of walls with a load: that of the wall, with the mass of the load added to its density. \throw InputError

@@ -22,7 +22,7 @@ constexpr double kFlatSkew = std::numbers::pi / 6.0;  // rad, angle of the skewb
 constexpr double kNear = 0.25;           // of a course: a joint that ends within this distance of a corner of the frame ends at the corner
 constexpr int kFewest = 3, kMost = 101;  // voussoirs
 
-std::string arch_key(std::size_t opening, const char* field) { return indexed_key("house.opening", opening, "arch.") + field; }
+std::string arch_key(std::size_t opening, const char* field) { return indexed_key("house.opening", opening, "arch") + field; }
 
 /// The soffit: a circle about a point below, or a line whose joints radiate from such a point.
 struct Soffit {
@@ -66,24 +66,23 @@ struct FrameBox {
   }
 };
 
-int count_of(const House& house, std::size_t opening, const HousePlan& plan, const Soffit& soffit) {
-  const Arch& arch = *house.openings[opening].arch;
+int count_of(const Arch& arch, const HousePlan& plan, const Soffit& soffit, const std::string& key) {
   if (!arch.voussoirs) return std::clamp(2 * static_cast<int>(soffit.length() / metres(plan.brick_width) / 2.0) + 1, kFewest, kMost);
   const int most = std::min(kMost, static_cast<int>(soffit.length() / metres(plan.lowest_course())));
   if (*arch.voussoirs < kFewest || *arch.voussoirs > most)
-    throw InputError(arch_key(opening, "voussoirs"), std::to_string(*arch.voussoirs) + " voussoirs; allowed: " + std::to_string(kFewest) +
-                                                         " to " + std::to_string(most) + ", each at least half a course wide");
+    throw InputError(key + ".voussoirs", std::to_string(*arch.voussoirs) + " voussoirs; allowed: " + std::to_string(kFewest) + " to " +
+                                             std::to_string(most) + ", each at least half a course wide");
   return *arch.voussoirs;
 }
 
-/// Springers and voussoirs from the low end to the high end; corners counter-clockwise.
-std::vector<Polygon> pieces_of(const House& house, const HousePlan& plan, const Hole& hole) {
-  const Opening& opening = house.openings[hole.opening];
-  const Interval span{hole.along.low + ticks(opening.arch->springer), hole.along.high - ticks(opening.arch->springer)};
-  const Soffit soffit(span, hole.height.low, opening.arch->rise);
+}  // namespace
+
+std::vector<Polygon> arch_sections(const Arch& arch, const HousePlan& plan, Interval span, Interval frame, const std::string& key) {
+  const Soffit soffit(span, frame.low, arch.rise);
   const double near = kNear * metres(plan.brick_height);
-  const FrameBox box{metres(hole.along.low), metres(hole.along.high), metres(hole.height.low), metres(hole.height.high), near};
-  const int n = count_of(house, hole.opening, plan, soffit);
+  const FrameBox box{metres(span.low - ticks(arch.springer)), metres(span.high + ticks(arch.springer)), metres(frame.low),
+                     metres(frame.high), near};
+  const int n = count_of(arch, plan, soffit, key);
   std::vector<Point2> below, above;
   for (int i = 0; i <= n; ++i) {
     below.push_back(soffit.corner(i, n));
@@ -115,28 +114,34 @@ std::vector<Polygon> pieces_of(const House& house, const HousePlan& plan, const 
   return pieces;
 }
 
-}  // namespace
+Interval arch_frame(const Arch& arch, Tick springing) noexcept { return {springing, springing + ticks(arch.rise) + ticks(arch.thickness)}; }
 
 Interval arch_height(const Opening& opening, Tick head) noexcept {
-  const Tick spring = head + (opening.lintel ? ticks(opening.lintel->height) : 0);
-  return {spring, spring + ticks(opening.arch->rise) + ticks(opening.arch->thickness)};
+  return arch_frame(*opening.arch, head + (opening.lintel ? ticks(opening.lintel->height) : 0));
+}
+
+Tick rows_through(const HousePlan& plan, Tick thickness) noexcept { return (thickness + plan.brick_length - 1) / plan.brick_length; }
+
+void check_arch(const Arch& arch, const HousePlan& plan, Interval span, const std::string& key) {
+  const double half = 0.5 * metres(span.length());
+  if (!(arch.rise >= 0.0 && arch.rise <= half + 1e-9))
+    throw InputError(key + ".rise",
+                     text(arch.rise) + " m; allowed: 0 (a flat arch) to " + text(half) + " m, half the width (a semicircle)");
+  const Tick thickness = positive_length(arch.thickness, key + ".thickness");
+  if (thickness < plan.lowest_course())
+    throw InputError(key + ".thickness",
+                     text(arch.thickness) + " m is less than half a course; at least " + metres_text(plan.lowest_course()) + " m");
+  const Tick springer = positive_length(arch.springer, key + ".springer");
+  if (springer < plan.shortest_piece())
+    throw InputError(key + ".springer",
+                     text(arch.springer) + " m is less than half a brick; at least " + metres_text(plan.shortest_piece()) + " m");
 }
 
 Hole arch_hole(const House& house, const Hole& under, const HousePlan& plan, const WallPlan& wall) {
   const std::size_t index = under.opening;
   const Arch& arch = *house.openings[index].arch;
-  const double half = 0.5 * metres(under.along.length());
-  if (!(arch.rise >= 0.0 && arch.rise <= half + 1e-9))
-    throw InputError(arch_key(index, "rise"),
-                     text(arch.rise) + " m; allowed: 0 (a flat arch) to " + text(half) + " m, half the width (a semicircle)");
-  const Tick thickness = positive_length(arch.thickness, arch_key(index, "thickness"));
-  if (thickness < plan.lowest_course())
-    throw InputError(arch_key(index, "thickness"),
-                     text(arch.thickness) + " m is less than half a course; at least " + metres_text(plan.lowest_course()) + " m");
-  const Tick springer = positive_length(arch.springer, arch_key(index, "springer"));
-  if (springer < plan.shortest_piece())
-    throw InputError(arch_key(index, "springer"),
-                     text(arch.springer) + " m is less than half a brick; at least " + metres_text(plan.shortest_piece()) + " m");
+  check_arch(arch, plan, under.along, arch_key(index, ""));
+  const Tick springer = ticks(arch.springer);
   Hole hole{{under.along.low - springer, under.along.high + springer},
             arch_height(house.openings[index], under.height.high),
             index,
@@ -144,9 +149,9 @@ Hole arch_hole(const House& house, const Hole& under, const HousePlan& plan, con
             {0, wall.thickness}};
   hole.arch = true;
   if (hole.height.high > wall.height.high)
-    throw InputError(arch_key(index, "thickness"), text(arch.thickness) + " m ends at " + metres_text(hole.height.high - wall.height.low) +
-                                                       " m, over the height of the wall (" + metres_text(wall.height.length()) + " m)");
-  count_of(house, index, plan, Soffit(under.along, hole.height.low, arch.rise));
+    throw InputError(arch_key(index, ".thickness"), text(arch.thickness) + " m ends at " + metres_text(hole.height.high - wall.height.low) +
+                                                        " m, over the height of the wall (" + metres_text(wall.height.length()) + " m)");
+  count_of(arch, plan, Soffit(under.along, hole.height.low, arch.rise), arch_key(index, ""));
   return hole;
 }
 
@@ -156,8 +161,10 @@ void add_arch(const House& house, const HousePlan& plan, const WallPlan& wall, c
   prototype.material = parts.arches[hole.opening];
   prototype.tag = wall_tag(house, wall);
   prototype.segment_size = segment_size_of(plan.brick_length, plan.brick_width, plan.brick_height);
-  const Tick rows = (wall.thickness + plan.brick_length - 1) / plan.brick_length;
-  for (const Polygon& section : pieces_of(house, plan, hole)) {
+  const Tick rows = rows_through(plan, wall.thickness);
+  const Arch& arch = *house.openings[hole.opening].arch;
+  const Interval span{hole.along.low + ticks(arch.springer), hole.along.high - ticks(arch.springer)};
+  for (const Polygon& section : arch_sections(arch, plan, span, hole.height, arch_key(hole.opening, ""))) {
     for (Tick row = 0; row < rows; ++row) {
       const Interval depth{row * wall.thickness / rows, (row + 1) * wall.thickness / rows};
       prototype.leaf = leaf_of(plan, wall, depth);

@@ -137,7 +137,7 @@ void orient_by_box(Wall& wall, const Box& all) {
 
 /// Whether the element is a brick of a house, or a free block whose `part` is a wall.
 bool may_be_of_wall(const Elements& elements, const Building& b, std::size_t e) {
-  return elements.house[e] >= 0 || b.kind[e] == cases::PartKind::walling;
+  return elements.house[e] >= 0 || b.kind[e] == cases::PartKind::walling || b.kind[e] == cases::PartKind::arch_stone;
 }
 
 /// Finds walls with their boxes, house by house, storey by storey, in order round each; sets the wall of each brick.

@@ -47,12 +47,13 @@ inline double volume_of(const cases::Model& m) {
   return sum;
 }
 
-/// Every element is joined with the base through others, head joints alone left out of account: beds carry it.
+/// Every element is joined with the base through others, head joints left out of account: beds carry it, or the joints of an arch.
 inline void check_stands(const cases::Model& m) {
   const std::size_t n = m.blocks.size();
   geometry::DisjointSets sets(n + 1);
   for (const geometry::Joint& j : m.assembly.joints) {
-    if (std::abs(j.frame.normal.z) < 0.99) continue;
+    const bool of_arch = m.blocks[static_cast<std::size_t>(j.element_a)].kind == cases::PartKind::arch_stone;
+    if (std::abs(j.frame.normal.z) < 0.99 && !of_arch) continue;
     sets.join(static_cast<std::size_t>(j.element_a), j.element_b == geometry::kBase ? n : static_cast<std::size_t>(j.element_b));
   }
   std::size_t loose = 0;

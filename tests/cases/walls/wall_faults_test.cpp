@@ -12,7 +12,7 @@ using namespace voussoir::testing;
 
 namespace {
 
-WallOpening opening(double from, double width, double sill, double height) { return {from, width, sill, height, {}}; }
+WallOpening opening(double from, double width, double sill, double height) { return {from, width, sill, height, {}, {}}; }
 
 /// A corner with an inner wall on it, which is good.
 Case good() {
@@ -59,10 +59,26 @@ TEST_CASE("places along a wall are refused with what lies there") {
   refuse([](Walls& w) { w[0].openings[0].sill = 2.4; }, "wall[0].opening[0].sill", "0 to below the height of the wall, 2.4 m");
   refuse([](Walls& w) { w[0].openings[0].height = 2.38; }, "wall[0].opening[0].height", "nearest: 2.4 m");
   refuse([](Walls& w) { w[0].openings[0].lintel = WallLintel{0.03, 0.2, {}}; }, "wall[0].opening[0].lintel.bearing", "at least 0.08 m");
-  refuse([](Walls& w) { w[0].openings[0].lintel = WallLintel{0.2, 0.5, {}}; }, "wall[0].opening[0].lintel.height", "at most 0.4 m");
+  refuse(
+      [](Walls& w) {
+        w[0].openings[0].lintel = WallLintel{0.2, 0.5, {}};
+      },
+      "wall[0].opening[0].lintel.height", "0.5 m ends at 2.5 m, above the wall (2.4 m)");
   refuse([](Walls& w) { w[0].openings.push_back(opening(3.85, 0.5, 1.0, 1.0)); }, "wall[0].opening[1].from",
          "and wall[0].opening[0].from is from 2.8 to 3.8 m");
   refuse([](Walls& w) { w[0].openings[0].lintel = WallLintel{0.7, 0.2, {}}; }, "wall[0].opening[0].lintel.bearing", "nearest: 0.62 m");
+}
+
+TEST_CASE("arches of walls are refused with their keys") {
+  using Walls = std::vector<WallSpec>;
+  const auto with = [](Arch arch) { return [arch](Walls& w) { w[0].openings[0].height = 1.5, w[0].openings[0].arch = arch; }; };
+  refuse(with({0.6, 0.3, 0.25, {}, {}}), "wall[0].opening[0].arch.rise", "0.6 m; allowed: 0 (a flat arch) to 0.5 m");
+  refuse(with({0.3, 0.05, 0.25, {}, {}}), "wall[0].opening[0].arch.thickness", "less than half a course; at least 0.1 m");
+  refuse(with({0.3, 0.7, 0.25, {}, {}}), "wall[0].opening[0].arch.thickness", "0.7 m ends at 2.5 m, above the wall (2.4 m)");
+  refuse(with({0.3, 0.3, 0.1, {}, {}}), "wall[0].opening[0].arch.springer", "less than half a brick; at least 0.2 m");
+  refuse(with({0.3, 0.3, 0.65, {}, {}}), "wall[0].opening[0].arch.springer", "nearest: 0.62 m");
+  refuse(with({0.3, 0.3, 0.25, 50, {}}), "wall[0].opening[0].arch.voussoirs", "50 voussoirs; allowed: 3 to");
+  refuse(with({0.3, 0.3, 0.25, {}, "clay"}), "wall[0].opening[0].arch.material", "clay");
 }
 
 TEST_CASE("all faults of walls are told at once") {

@@ -59,6 +59,7 @@ std::vector<std::string> cases_of(const std::string& table) {
                                                                       {"wall", {"walls"}},
                                                                       {"wall.opening", {"walls"}},
                                                                       {"wall.opening.lintel", {"walls"}},
+                                                                      {"wall.opening.arch", {"walls"}},
                                                                       {"house", {"house"}},
                                                                       {"house.rubble", {"rubble"}},
                                                                       {"house.leaves", {"leaves"}},

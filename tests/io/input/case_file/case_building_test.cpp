@@ -132,6 +132,10 @@ TEST_CASE("case file: every key of walls is read") {
   CHECK(w.openings[0].lintel->bearing == 0.25);
   CHECK(w.openings[0].lintel->height == 0.15);
   CHECK(w.openings[0].lintel->material == "old wood");
+  REQUIRE(w.openings[0].arch);
+  CHECK(w.openings[0].arch->rise == 0.2);
+  CHECK(w.openings[0].arch->thickness == 0.3);
+  CHECK(w.openings[0].arch->voussoirs == 9);
 }
 
 TEST_CASE("case file: every key of a building is read") {
