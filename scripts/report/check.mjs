@@ -59,10 +59,15 @@ async function checkTwo(page) {
   const two = await page.evaluate(`({ panes: report.panes.length, last: report.last })`);
   if (two.panes !== 2) return faults.push(`${two.panes} houses, not two; a page of one run needs its run.h5`);
   const letters = await page.locator(".pane .letter").allTextContents();
-  if (letters.join() !== "A,B") faults.push(`houses have the letters ${letters.join()}, not A,B`);
+  if (letters.map((l) => l[0]).join() !== "A,B") faults.push(`houses have the letters ${letters.join()}, not A,B`);
   for (const part of [0.2, 0.6, 1]) {
     await page.locator("#time").fill(String(Math.round(part * two.last)));
-    const times = await page.evaluate(`report.panes.map(({ house, times }) => times[Math.floor(house.at)] + (house.at % 1) * ((times[Math.floor(house.at) + 1] ?? 0) - times[Math.floor(house.at)]))`);
+    const now = await page.evaluate("report.time()"), ends = await page.evaluate("report.panes.map(({ times }) => times.at(-1))");
+    const said = await page.locator(".pane .letter").allTextContents();
+    ends.forEach((end, i) => said[i].includes("at its end") === now > end + 5e-3 || faults.push(`at ${now} s the run that ends at ${end} s is called "${said[i]}"`));
+    const beyond = await page.evaluate(`report.plots.filter((p) => p.raw).flatMap((p) => p.raw.slice(1).map(([t], k) => [t.at(-1) + (t.at(-1) - t[0]) / (t.length - 1) < report.time() - 1e-9, p.series[k + 1].label, [...p.holder.querySelectorAll(".u-legend .u-series")][k + 1]?.querySelector(".u-value")?.textContent, p.inView && !p.curves])).filter(([past, , value, seen]) => seen && past && value !== "–").map(([, label]) => label)`);
+    if (beyond.length > 0) faults.push(`curves that have ended show a value at ${now} s: ${beyond}`);
+    const times = (await page.evaluate(`report.panes.map(({ house, times }) => times[Math.floor(house.at)] + (house.at % 1) * ((times[Math.floor(house.at) + 1] ?? 0) - times[Math.floor(house.at)]))`)).map((t, i) => (now > ends[i] ? now : t));
     if (Math.abs(times[0] - times[1]) > 1e-6) faults.push(`one clock, but the houses are at ${times} s`);
     await page.waitForTimeout(300);
     await page.screenshot({ path: join(pictures, `two-${part}.png`) });
@@ -71,7 +76,7 @@ async function checkTwo(page) {
   await page.keyboard.press("ArrowLeft");
   const cameras = await page.evaluate("report.panes.map(({ house }) => [...house.camera.position, ...house.controls.target].map((x) => x.toFixed(3)).join())");
   if (cameras[0] !== cameras[1]) faults.push(`one camera, but they are at ${cameras.join(" and ")}`);
-  const alone = await page.evaluate(`report.plots.filter((p) => !["A", "B"].every((run) => p.series.some((s) => s.label?.endsWith(" " + run)))).map((p) => p.title)`);
+  const alone = await page.evaluate(`report.plots.filter((p) => report.runs.every((r) => r.facts.plots.some((q) => q.title === p.title)) && !["A", "B"].every((run) => p.series?.some((s) => s.label?.endsWith(" " + run)))).map((p) => p.title)`);
   if (alone.length > 0) faults.push(`not of both runs: ${alone}`);
   const keys = await page.evaluate(`[...document.querySelectorAll("#keys > div")].map((tile) => [...tile.querySelectorAll("dd")].map((line) => line.textContent[0]).join(""))`);
   if (keys.length < 2 || keys.some((letters) => letters !== "AB")) faults.push(`key figures are not of A and B: ${keys}`);

@@ -99,8 +99,8 @@ std::optional<double> storey_drift(const Wall& wall, const std::vector<Pose>& st
   }
   if (gone >= standing) return {};
   const double foot = sum_of(wall, displacements_of(wall.foot, start, poses, fallen), kAlong).mean();
-  const double positive = wall.inner ? 1.0 : wall.right();  // nobody looks at an inner wall from outside
-  return positive * (sum / static_cast<double>(standing) - foot) / wall.height();
+  const double sign = wall.inner ? 1.0 : wall.right();  // an inner wall has no outside
+  return sign * (sum / static_cast<double>(standing) - foot) / wall.height();
 }
 
 }  // namespace voussoir::io

@@ -77,6 +77,7 @@ class Report {
         const element = i === 0 ? first : by("panes").appendChild(blank);
         if (this.runs.length > 1) element.appendChild(Object.assign(document.createElement("div"), { className: "letter", textContent: "AB"[i] }));
         const pane = new Pane(run, element, still && !asked.has("film"));
+        pane.letter = element.querySelector(".letter");
         pane.house.onDraw = () => this.#overlay(pane);
         pane.house.onTurn = () => this.#turned(pane);
         pane.house.onResize = () => this.#resized(pane);
@@ -208,6 +209,7 @@ class Report {
       if (by("follow").checked && pane.picked >= 0) pane.house.follow(pane.picked);
       pane.house.shake(by("shake").checked ? pane.groundWay(own) : [0, 0, 0]);
       pane.house.show(own, pane.colours[name] ?? pane.colours.cracks, t, large);
+      if (pane.letter) pane.letter.textContent = pane.label("AB"[this.panes.indexOf(pane)], t);
     }
     this.large = large;
     say("note", large === 1 ? "" : `motion × ${+large.toPrecision(2)}`);

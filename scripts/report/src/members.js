@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drift of each storey by wall; rods, decks and meshes with force, elongation, utilisation; loads with the displacement of their places.
 const is = (x) => x !== null && x !== undefined;
-const percent = (x, digits = 2) => (is(x) ? `${(100 * x).toFixed(digits)} %` : "–");
-const millimetres = (x) => (is(x) ? `${(1000 * x).toFixed(1)} mm` : "–");
+const shown = (x, digits) => x.toFixed(digits).replace(/^-(?=[0.]*$)/, ""); // no sign for a zero
+const percent = (x, digits = 2) => (is(x) ? `${shown(100 * x, digits)} %` : "–");
+const millimetres = (x) => (is(x) ? `${shown(1000 * x, Math.abs(x) < 1e-3 ? 2 : 1)} mm` : "–");
 const kWild = 0.25; // beyond it a wall is falling
 const drift = (x) => (is(x) && Math.abs(x) > kWild ? "fell" : percent(x));
 
@@ -30,8 +31,13 @@ export function tieTables(m) {
   ].filter(([, , rows]) => rows.length > 0);
 }
 
-/** [caption, head, rows] of the loads. */
+/** [caption, head, rows] of each load. */
 export function loadTables(m) {
-  const kilonewtons = (x) => (is(x) ? `${(x / 1000).toFixed(2)} kN` : "–"), rows = (m?.loads ?? []).map((l) => [`${l.name}, ${l.place}`, kilonewtons(l.peak_force), millimetres(l.displacement_at_peak_force), millimetres(l.peak_displacement), kilonewtons(l.end_force), millimetres(l.end_displacement)]);
-  return rows.length > 0 ? [["Loads, and their places along the force", ["load", "largest", "displaced", "displaced most", "at the end", "displaced"], rows]] : [];
+  const kilonewtons = (x) => (is(x) ? `${(x / 1000).toFixed(2)} kN` : "–"), seconds = (t) => (is(t) ? ` at ${t.toFixed(2)} s` : "");
+  return (m?.loads ?? []).map((l) => [
+    `${l.name[0].toUpperCase()}${l.name.slice(1)}, ${l.place}`, ["", "force", "place, along the force"], [
+      [`Largest force${seconds(l.peak_force_time)}`, kilonewtons(l.peak_force), millimetres(l.displacement_at_peak_force)],
+      [`Largest displacement${seconds(l.peak_displacement_time)}`, kilonewtons(l.force_at_peak_displacement), millimetres(l.peak_displacement)],
+      ["At the end", kilonewtons(l.end_force), millimetres(l.end_displacement)],
+    ]]);
 }

@@ -39,6 +39,11 @@ export class Pane {
     while (f < last - 1 && times[f + 1] <= t) ++f;
     return Math.max(0, f + (t - times[f]) / (times[f + 1] - times[f] || 1));
   }
+  /** Of two runs side by side: its letter, what it is if it is no time history, and its end once the clock is past it. */
+  label(letter, t) {
+    const { capacity } = this.run.facts, last = this.times.at(-1) ?? 0;
+    return letter + (capacity ? `: ${capacity.kind}` : "") + (t > last + 5e-3 ? `, at its end (${last.toFixed(2)} s)` : "");
+  }
   /** Where the ground is at a frame, which need not be whole, m. */
   groundWay(at) {
     const { ground } = this.run.facts, f = Math.floor(at);

@@ -96,9 +96,11 @@ export class Plot {
     return values.length > 0 ? `${this.title} between ${number(low)} and ${number(high)} ${this.unit}` : `${this.title}: no values`;
   }
 
-  /** The value of a curve at the time nearest to `t`, of those that were there before anything was stacked or clipped. */
+  /** The value of a curve at the time nearest to `t`, of those that were there before anything was stacked or clipped; null where the curve has
+   *  ended, as that of a shorter run. */
   #value(s, t) {
-    const [times, y] = this.raw[s];
+    const [times, y] = this.raw[s], last = times.length - 1, step = last > 0 ? (times[last] - times[0]) / last : 0;
+    if (t > times[last] + step || t < times[0] - step) return null;
     let low = 0, high = times.length - 1;
     while (high - low > 1) {
       const middle = (low + high) >> 1;
@@ -114,7 +116,7 @@ export class Plot {
     const options = {
       width: Math.max(200, this.holder.clientWidth), height: kHeight, padding: [6, 16, 0, 0],
       cursor: { y: false, sync: { key: "report" }, drag: { x: false, y: false }, points: { size: 5 } },
-      legend: { live: true },
+      legend: { live: true, markers: { dash: (_, i) => (this.series[i].dash ? "dashed" : "solid") } },
       scales: { x: { time: false, range: () => [this.from, this.until] }, y: { range: (u, low, high) => this.#range(low, high) } },
       axes: [{ ...axis, size: 24, gap: 2, values: (u, ticks) => ticks.map((t) => `${+t.toFixed(2)} s`) }, { ...axis, size: 46, gap: 2, values: (u, ticks) => ticks.map(number) }],
       series: this.series.map((s, i) => (i === 0 ? { label: "Time", value: (u, t) => (t == null ? "–" : `${t.toFixed(2)} s`) } : { label: s.label, stroke: colour(s.tint), width: s.width, dash: s.dash, fill: s.fill ? colour(s.tint) : undefined, value: value(i), points: { show: false } })),

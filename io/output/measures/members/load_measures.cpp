@@ -35,7 +35,9 @@ class Places {
     std::string text = "on " + (names.size() == 1 ? *names.begin() : std::to_string(names.size()) + " parts");
     if (rows.size() > 1) return text + ", at " + std::to_string(rows.size()) + " places";
     const double* p = point_.data() + 3 * rows.front();
-    return text + geometry::printed(", at (%.2f, %.2f, %.2f) m", p[0] + origin_.x, p[1] + origin_.y, p[2] + origin_.z);
+    const auto rounded = [](double v) { return std::round(100.0 * v) / 100.0 + 0.0; };  // no sign for a shown zero
+    return text +
+           geometry::printed(", at (%.2f, %.2f, %.2f) m", rounded(p[0] + origin_.x), rounded(p[1] + origin_.y), rounded(p[2] + origin_.z));
   }
 
  private:

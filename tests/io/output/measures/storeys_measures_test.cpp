@@ -140,4 +140,22 @@ TEST_CASE("blocks that name their part are that wall; others are none") {
   CHECK(m.damage_grade >= 0);
 }
 
+TEST_CASE("storey drift of an inner wall counts along x or y, that of the walls around to the right as seen from outside") {
+  for (const bool along_x : {false, true}) {
+    std::string text = kStoreys;
+    if (along_x) text.replace(text.find("at = 1.0"), 8, "at = 0.6\nalong = \"x\"");
+    Hut hut(text);
+    const Vec3 way = along_x ? Vec3{0.003, 0.0, 0.0} : Vec3{0.0, 0.003, 0.0};
+    hut.frame(0.0, stays);
+    hut.frame(0.1, [&](std::size_t, Vec3 x) { return x.z > 0.1 ? x + way : x; });
+    const Measures m = hut.measures();
+    const auto drift = [&](const char* name) { return wall(m, name).peak_storey_drift; };
+    CAPTURE(along_x);
+    CHECK(drift("middle wall, storey 1") == doctest::Approx(0.003 / 0.6));
+    CHECK(wall(m, "middle wall, storey 1").peak_in_plane_drift > 0.0);
+    CHECK(drift(along_x ? "front wall, storey 1" : "right wall, storey 1") == doctest::Approx(0.003 / 0.6));
+    CHECK(drift(along_x ? "rear wall, storey 1" : "left wall, storey 1") == doctest::Approx(-0.003 / 0.6));
+  }
+}
+
 }  // namespace voussoir::io
