@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include "cases/input_error.h"
 #include "io/app/session/prepared_case.h"
@@ -66,14 +69,12 @@ TEST_CASE("own frequency: \"auto\" and modes work for ready cases") {
 }
 
 TEST_CASE("own frequency: \"auto\" is the mode with most of the mass, also where a weaker one is among the lowest") {
-  cases::Case c = io::load_case("two-storeys").value;
-  c.house->roof = {};
-  for (const char* name : {"two-storeys"}) {
-    CAPTURE(name);
-    const double chosen = own_frequency(c);
-    const double open = of_most_mass(c, solver::DryJoints::open), closed = of_most_mass(c, solver::DryJoints::closed);
-    CHECK(std::min(std::abs(chosen - open), std::abs(chosen - closed)) < 1e-3 * chosen);
-  }
+  cases::Case c = io::load_case("stone-house").value;
+  c.house->roof.surcharge = 400.0;  // slow rafters, with a good part of the mass
+  const double chosen = own_frequency(c);
+  const double open = of_most_mass(c, solver::DryJoints::open), closed = of_most_mass(c, solver::DryJoints::closed);
+  CAPTURE(chosen), CAPTURE(open), CAPTURE(closed);
+  CHECK(std::min(std::abs(chosen - open), std::abs(chosen - closed)) < 1e-3 * chosen);
 }
 
 TEST_CASE("own frequency: \"auto\" and modes work for houses drawn at random") {
