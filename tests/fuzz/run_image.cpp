@@ -62,6 +62,8 @@ struct Edit {
 /// Some bytes of the entries of a dataset, whatever their type: one entry of numbers, or eight bytes of texts.
 void put_value(hid_t file, const std::string& name, const Edit& e) {
   const Id dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Id create(H5Dget_create_plist(dataset), H5Pclose);
+  if (H5Pget_layout(create) == H5D_VIRTUAL) return;  // its values are in another file
   const Id type(H5Dget_type(dataset), H5Tclose), space(H5Dget_space(dataset), H5Sclose);
   const hssize_t count = H5Sget_simple_extent_npoints(space);
   const std::size_t size = H5Tget_size(type);
@@ -251,6 +253,13 @@ void change_attribute(hid_t file, const std::string& object, const std::string& 
   }
 }
 
+void name_parts(hid_t file, const std::string& seals) {
+  const Id attribute(H5Aopen(file, "part_seals", H5P_DEFAULT), H5Aclose);
+  const Id type(H5Aget_type(attribute), H5Tclose);
+  const char* text = seals.c_str();
+  if (H5Awrite(attribute, type, &text) < 0) std::abort();
+}
+
 }  // namespace
 
 RunImage::RunImage(const std::string& path) : bytes_(io::test::bytes_of(path)) {
@@ -278,7 +287,7 @@ RunImage::RunImage(const std::string& path) : bytes_(io::test::bytes_of(path)) {
 }
 
 // In a file: of an image, H5Fget_file_image (1.10) gives a superblock whose checksum is wrong, which no reader opens.
-void RunImage::write_edited(const std::string& path, std::span<const std::uint8_t> edits) const {
+void RunImage::write_edited(const std::string& path, std::span<const std::uint8_t> edits, const std::string& part_seals) const {
   std::ofstream out(path, std::ios::binary);
   out.write(reinterpret_cast<const char*>(bytes_.data()), static_cast<std::streamsize>(bytes_.size()));
   out.close();
@@ -286,6 +295,7 @@ void RunImage::write_edited(const std::string& path, std::span<const std::uint8_
   H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V110);
   const Id file(H5Fopen(path.c_str(), H5F_ACC_RDWR, access), H5Fclose);
   if (!out || file < 0) std::abort();
+  if (!part_seals.empty()) name_parts(file, part_seals);
   for (; edits.size() >= kEdit; edits = edits.subspan(kEdit)) {
     const Edit e(edits.data());
     if (e.kind < 128) {

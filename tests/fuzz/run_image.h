@@ -22,7 +22,8 @@ class RunImage {
 
   /// Writes the file after some edits, made through HDF5's own functions: values, types, shapes, links and attributes become others,
   /// HDF5's structure stays whole. What cannot be edited so is left as it was. A sealed one has to be sealed again.
-  void write_edited(const std::string& path, std::span<const std::uint8_t> edits) const;
+  /// \param part_seals  if not empty, how the file names its parts (Hdf5File::name_parts)
+  void write_edited(const std::string& path, std::span<const std::uint8_t> edits, const std::string& part_seals = {}) const;
   [[nodiscard]] bool sealed() const noexcept { return sealed_; }
 
  private:

@@ -20,9 +20,9 @@ std::string path_of(int schema) {
 
 bool has_sample(int schema) { return std::filesystem::exists(path_of(schema)); }
 
-std::vector<std::byte> sample_run(int schema) {
-  const gzFile file = ::gzopen(path_of(schema).c_str(), "rb");
-  if (file == nullptr) throw std::runtime_error(path_of(schema) + " cannot be read");
+std::vector<std::byte> unpacked(const std::string& path) {
+  const gzFile file = ::gzopen(path.c_str(), "rb");
+  if (file == nullptr) throw std::runtime_error(path + " cannot be read");
   std::vector<std::byte> bytes;
   std::array<std::byte, 65536> piece{};
   for (int n = 0; (n = ::gzread(file, piece.data(), static_cast<unsigned>(piece.size()))) > 0;)
@@ -30,5 +30,7 @@ std::vector<std::byte> sample_run(int schema) {
   ::gzclose(file);
   return bytes;
 }
+
+std::vector<std::byte> sample_run(int schema) { return unpacked(path_of(schema)); }
 
 }  // namespace voussoir::io::test
