@@ -157,6 +157,17 @@ TEST_CASE("a round tower and a curved wall of straight blocks") {
   check_bonded(check_sound(case_of({bent}), 29 * side * 0.4 * 2.0, 4e-3));
 }
 
+TEST_CASE("a wall that crosses a curved one behind its bend, and one that ends in it") {
+  const WallSpec bent = wall("bent", {{0.0, 0.0}, {3.0, 0.0}, {6.0, 1.0}}, 0.3, 1.2, WallBond::through);
+  const double length = 3.0 + std::sqrt(10.0), face = 0.3 * std::sqrt(10.0) / 3.0;  // face: of the bent wall along y
+  for (const bool ends : {false, true}) {
+    CAPTURE(ends);
+    const WallSpec other = wall("other", {{4.5, ends ? 0.5 : -1.5}, {4.5, 2.5}}, 0.2, 1.2, WallBond::running);
+    const double beside = (ends ? 2.0 : 4.0) - (ends ? 0.5 : 1.0) * face;
+    check_bonded(check_sound(case_of({bent, other}), 1.2 * (0.3 * length + 0.2 * beside), 2e-3));
+  }
+}
+
 TEST_CASE("the load on a wall is carried by its top course") {
   WallSpec w = wall("w", {{0.0, 0.0}, {4.0, 0.0}}, 0.4, 2.0);
   w.load = 350.0;
