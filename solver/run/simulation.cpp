@@ -38,8 +38,8 @@ std::unique_ptr<World> world_of(const cases::Case& c, const cases::Model& m, con
 constexpr std::int64_t kGuardInterval = 20;  // steps
 constexpr double kRamp = 1.0;                // s, of gravity, if the case says nothing of it
 constexpr double kShortestRamp = 0.05;       // s: a shorter one says nothing of how slowly a structure sways
-constexpr double kArrived = 1e-9;            // of the time of the supports: less before their end is round-off of the way there
 constexpr double kRest = 1e-8;               // kinetic over elastic energy
+constexpr double kRoundOff = 1e-9;           // of the histories of supports: what the sums of many increments may leave of them
 
 }  // namespace
 
@@ -180,7 +180,7 @@ void Simulation::accept_rest() {
   RestPoint p{.factor = program_.factor(), .done = program_.way(), .left = program_.way_left()};
   if (!w.supports.empty() && program_.analysis().kind == cases::AnalysisKind::settlement) {
     p.done = path_.clock(), p.left = program_.last_support() - path_.clock();
-    if (p.left <= kArrived * program_.last_support()) program_.end_at(step_);
+    if (p.left <= kRoundOff * program_.last_support()) program_.end_at(step_);
   }
   p.broken = damage_.tension + damage_.shear + damage_.compression, p.slipped = damage_.slipped;
   for (const std::int32_t bonds : w.elements.bonds_at_start) p.bonds += bonds;

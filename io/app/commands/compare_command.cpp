@@ -83,7 +83,7 @@ int compare(const std::string& a, const std::string& b, bool json) {
 
 Command add_compare(CLI::App& program) {
   CLI::App* words =
-      program.add_subcommand("compare", "are two runs the same, bit for bit (provenance apart)? If not: their measures side by side");
+      program.add_subcommand("compare", "are two runs the same, bit for bit? If not: what differs first, and their measures side by side");
   auto w = std::make_shared<CompareWords>();
   words->add_option("A", w->first, "folder of a run, or a file")->required();
   words->add_option("B", w->second, "another")->required();

@@ -239,7 +239,9 @@ Command add_limit(CLI::App& program) {
           "--cone", [w = w.get()](const std::string& word) { w->o.outer = word == "outer"; },
           "facets in the cone, which err to the safe side (default), or round it")
       ->check(CLI::IsMember({"inner", "outer"}));
-  words->add_flag("--associated", w->o.associated, "associated flow alone, one programme; not Coulomb's slip, which takes 20 to 40 more");
+  words->add_flag("--associated", w->o.associated,
+                  "associated flow alone, in which joints open as they slide: a multiplier at or above that of Coulomb's friction, in a "
+                  "twentieth of the time");
   words->add_flag("--kinematic", w->o.kinematic,
                   "also the multiplier as the mechanism moves by finite displacements, and its kinematic verification (Circolare 7/2019, "
                   "C8.7.1.2.1)");

@@ -123,7 +123,9 @@ Command add_run(CLI::App& program) {
   add_views(*words, w->run.views);
   words->add_flag("--overwrite", w->run.overwrite, "replace the results that the folder holds");
   words->add_flag("--quiet", w->run.quiet, "no progress");
-  words->footer("example: voussoir run flat20n --direction LTV --duration 6 -o results/flat20n-LTV");
+  words->footer(
+      "to push, tilt or settle it instead: analysis.kind, in the case or by --set\nexample: voussoir run flat20n --direction LTV "
+      "--duration 6 -o results/flat20n-LTV\n         voussoir run flat20n --set analysis.kind=pushover -o results/flat20n-push");
   return {.words = words, .work = [w] { return run_as_told(*w); }, .threads = &w->c.threads};
 }
 

@@ -266,7 +266,8 @@ int print_summary(const SummaryOptions& o) {
 }  // namespace
 
 Command add_summary(CLI::App& program) {
-  CLI::App* words = program.add_subcommand("summary", "what came out of a run: damage grade, fallen walls, debris, free volume, drift");
+  CLI::App* words = program.add_subcommand(
+      "summary", "what came out of a run: damage grade, fallen walls, debris, drift, ties and loads; the capacity of a pushover");
   auto o = std::make_shared<SummaryOptions>();
   words->add_option("DIR", o->folder, "folder of the run, finished or not")->required();
   add_format(*words, o->json);

@@ -46,7 +46,7 @@ void print_ties(const cases::Model& model) {
 
 void print_tie_bill(const cases::Model& model) {
   if (model.tie_bill.empty()) return;
-  std::printf("\n%-52s %10s %12s %12s %10s\n", "bill of ties", "count", "rod [m]", "mesh [m2]", "anchors");
+  std::printf("\n%-52s %10s %12s %12s %10s\n", "bill of ties", "count", "rod [m]", "surface [m2]", "anchors");
   for (const cases::TieBill& b : model.tie_bill) {
     std::printf("%-52s %10s %12.2f %12.2f %10s\n", b.name.c_str(), format_count(b.ties).c_str(), b.length, b.area,
                 format_count(b.anchors).c_str());

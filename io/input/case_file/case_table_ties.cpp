@@ -159,16 +159,18 @@ Table<Tie> roof_tie_table() {
 
 Table<Deck> deck_table() {
   using S = Deck;
-  return {"boards or a slab on the beams as a shear panel (diagonal bars between neighbouring beams) and bars across the beams",
-          {required(value<S>("shear_stiffness", &S::shear_stiffness, "N/m", above(0.0).usually(usual::kStripStiffness),
-                             "shear flow over shear angle, G t")),
-           value<S>("shear_strength", &S::shear_strength, "N/m", above(0.0).usually(usual::kStripStrength),
-                    "shear flow at which it yields; none: elastic"),
-           required(value<S>("stiffness", &S::stiffness, "N/m", above(0.0).usually(usual::kStripStiffness),
-                             "force over strain of a strip one metre wide, across the beams")),
-           value<S>("strength", &S::strength, "N/m", above(0.0).usually(usual::kStripStrength),
-                    "force at which such a strip yields; none: elastic")},
-          nullptr};
+  return {
+      "boards or a slab on the beams as a shear panel (diagonal bars between neighbouring beams) and bars across the beams, from the "
+      "middle of the first element of the beams between the walls to that of the last",
+      {required(value<S>("shear_stiffness", &S::shear_stiffness, "N/m", above(0.0).usually(usual::kStripStiffness),
+                         "shear flow over shear angle, G t")),
+       value<S>("shear_strength", &S::shear_strength, "N/m", above(0.0).usually(usual::kStripStrength),
+                "shear flow at which it yields; none: elastic"),
+       required(value<S>("stiffness", &S::stiffness, "N/m", above(0.0).usually(usual::kStripStiffness),
+                         "force over strain of a strip one metre wide, across the beams")),
+       value<S>("strength", &S::strength, "N/m", above(0.0).usually(usual::kStripStrength),
+                "force at which such a strip yields; none: elastic")},
+      nullptr};
 }
 
 Table<Floor> house_floor_table() {

@@ -73,7 +73,9 @@ TEST_CASE("own frequency: \"auto\" is the mode with most of the mass, also where
   c.house->roof.surcharge = 400.0;  // slow rafters, with a good part of the mass
   const double chosen = own_frequency(c);
   const double open = of_most_mass(c, solver::DryJoints::open), closed = of_most_mass(c, solver::DryJoints::closed);
-  CAPTURE(chosen), CAPTURE(open), CAPTURE(closed);
+  CAPTURE(chosen);
+  CAPTURE(open);
+  CAPTURE(closed);
   CHECK(std::min(std::abs(chosen - open), std::abs(chosen - closed)) < 1e-3 * chosen);
 }
 

@@ -60,6 +60,19 @@ TEST_CASE("analysis: every key of a pushover is read and written") {
   CHECK(io::resolved_toml(read(resolved)) == resolved);
 }
 
+TEST_CASE("analysis: the control point is a point or a name, each as the other was not given") {
+  const cases::Case c = read(analysis("kind = \"pushover\"\ncontrol = \"front wall, storey 2\"\n"));
+  CHECK(c.analysis.control_name == "front wall, storey 2");
+  CHECK_FALSE(c.analysis.control);
+  const std::string resolved = io::resolved_toml(c);
+  CHECK(resolved.find("control = \"front wall, storey 2\"") != std::string::npos);
+  CHECK(io::resolved_toml(read(resolved)) == resolved);
+  const cases::Case point =
+      io::read_case({"test.toml", analysis("kind = \"pushover\"\ncontrol = \"top\"\n")}, {"analysis.control=[1.0, 2.0, 3.0]"}).value;
+  CHECK(point.analysis.control == Vec3{1.0, 2.0, 3.0});
+  CHECK(point.analysis.control_name.empty());
+}
+
 TEST_CASE("analysis: a triangular push with eccentricity and a demand is read and written, and what does not go with it is refused") {
   const cases::Case c =
       read(analysis("kind = \"pushover\"\npattern = \"triangular\"\neccentricity = -0.05\ndemand = \"ec8:2:c:1.5\"\n"
