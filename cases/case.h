@@ -59,7 +59,7 @@ struct Case {
 
   /// Time of shaking, or of a quasi-static analysis, at which the run ends at the latest [s].
   /// `time.multirate`, which is of time histories alone.
-  [[nodiscard]] int rates() const noexcept { return is_assessment(analysis) ? 1 : time.multirate; }
+  [[nodiscard]] int multirate() const noexcept { return is_assessment(analysis) ? 1 : time.multirate; }
   [[nodiscard]] double end() const noexcept { return is_assessment(analysis) ? analysis.longest : time.duration; }
   void set_end(double t) noexcept { (is_assessment(analysis) ? analysis.longest : time.duration) = t; }
 };

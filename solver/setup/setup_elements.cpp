@@ -113,7 +113,7 @@ double choose_step(const cases::Case& c, const Options& o, double bound) {
     return step;
   }
   if (!std::isfinite(bound)) return c.output.history_interval;  // nothing moves but what is fixed
-  const double cycle = c.rates();                        // whole cycles
+  const double cycle = c.multirate();                        // whole cycles
   return c.output.history_interval / (cycle * std::ceil(c.output.history_interval / (cycle * 0.995 * share_of_bound(c) * bound)));
 }
 

@@ -78,7 +78,7 @@ double search_margin(const World& w, double skin) { return std::min(0.1 * skin, 
 
 void set_up_multirate(World& w, const cases::Case& c) {
   Multirate& m = w.multirate;
-  m.wanted = c.rates();
+  m.wanted = c.multirate();
   if (m.wanted == 1) return;
   m.every = steps_by_level(m.wanted);
   if (m.every.back() != m.wanted || m.every.size() > Multirate::kMostLevels)

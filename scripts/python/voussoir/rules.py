@@ -85,6 +85,7 @@ _RULES = {
     **{f"/ties/{name}": Rule(("/history/time", _TIES), "row") for name in ("force", "elongation", "plastic", "broken")},
     **{f"/meshes/{name}": Rule(("/history/time", _MESHES), "row") for name in ("force", "elongation", "yielded", "broken")},
     "/meshes/utilisation": Rule(("/history/time", _MESHES), "any"),
+    "/loaded/": Rule(("/history/time",), "any"),
     **{name: rule for table in ("history", "acceleration", "energy", "forces", "cuts", "damage")
        for name, rule in ((f"/{table}/time", Rule((f"/{table}/time",), "time")), (f"/{table}/", Rule((f"/{table}/time",), "row")))},
     "/assessment/time": Rule(("/assessment/time",), "time"),
@@ -107,6 +108,7 @@ _RULES = {
     "/measures/": Rule(("/measures/time",), "any"),
     "/summary/wall/": Rule(("/summary/wall/name",), "any"),
     "/summary/tie/": Rule(("/summary/tie/name",), "any"),
+    "/summary/load/": Rule(("/summary/load/name",), "any"),
 }
 _TABLES = ("history", "energy", "forces", "damage", "cracks", "frames", "cuts", "assessment")
 

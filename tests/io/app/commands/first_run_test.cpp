@@ -183,7 +183,7 @@ TEST_CASE("a house that cracks under its own weight: a warning with how many and
   REQUIRE(o.code == 0);
   CHECK(says(
       o, {"warning: ", " contact points of joints broke under the building's own weight, while it settled (", " in tension",
-          "Where: ", " wall ", "between z = ", "first crack          while settling, at -", "of the shaking none", "of them settling"}));
+          "Where: ", " wall ", "between z = ", "first crack          while settling, at -", "afterwards none", "of them settling"}));
   // Shares of the parts add up to all of it, but for rounding.
   const std::string where = o.text.substr(o.text.find("Where: "), o.text.find("between z = ") - o.text.find("Where: "));
   int shares = 0, parts = 0;
@@ -194,7 +194,7 @@ TEST_CASE("a house that cracks under its own weight: a warning with how many and
   CHECK(std::abs(shares - 100) <= parts);
   const Outcome s = voussoir("summary " + out);
   CHECK(says(
-      s, {"first crack          while settling; of the shaking never", "broken by settling   ", "by the shaking 0", "points of settling"}));
+      s, {"first crack          while settling; afterwards never", "broken by settling   ", "; afterwards 0", "points of settling"}));
   CHECK(is_silent_of(s, "from 0.000 s"));
   CHECK(says(voussoir("summary " + out + " --format json"),
              {"\"settling_cracks\": ", "\"shaking_cracks\": 0", "\"settling_first_crack_time\": -",
