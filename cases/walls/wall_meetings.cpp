@@ -19,7 +19,7 @@ constexpr double kLeastSine = 0.5 - 1e-9;  // of 30 degrees
 constexpr double kNoArea = 1e-8;           // m2, as of geometry's joints
 
 /// One side of a pair: a facet of a leg.
-struct Side {
+struct LegSide {
   std::size_t leg = 0, facet = 0;
 };
 
@@ -33,7 +33,7 @@ class Finder {
   void find() {
     Faults faults;
     const std::size_t n = plan_.legs.size();
-    std::vector<std::pair<Side, Side>> pairs;
+    std::vector<std::pair<LegSide, LegSide>> pairs;
     for (std::size_t a = 0; a < n; ++a) {
       for (std::size_t b = a + 1; b < n; ++b) {
         if (!leg(a).height.overlaps(leg(b).height)) continue;
@@ -53,15 +53,15 @@ class Finder {
 
  private:
   [[nodiscard]] Leg& leg(std::size_t i) const { return plan_.legs[i]; }
-  [[nodiscard]] const Facet& facet(Side s) const { return leg(s.leg).facets[s.facet]; }
-  [[nodiscard]] bool is_last(Side s) const { return s.facet + 1 == leg(s.leg).facets.size(); }
+  [[nodiscard]] const Facet& facet(LegSide s) const { return leg(s.leg).facets[s.facet]; }
+  [[nodiscard]] bool is_last(LegSide s) const { return s.facet + 1 == leg(s.leg).facets.size(); }
 
-  [[nodiscard]] bool is_own_corner(Side a, Side b) const {
+  [[nodiscard]] bool is_own_corner(LegSide a, LegSide b) const {
     return (own_.contains({a.leg, b.leg}) && is_last(a) && b.facet == 0) || (own_.contains({b.leg, a.leg}) && is_last(b) && a.facet == 0);
   }
 
   /// The two faces of b as cuts through a. \pre the facets are not parallel
-  [[nodiscard]] Station strip(Side a, Side b) const {
+  [[nodiscard]] Station strip(LegSide a, LegSide b) const {
     const Facet &fa = facet(a), &fb = facet(b);
     const double sine = dot(fa.along, fb.across), slope = -dot(fa.across, fb.across) / sine, off = dot(fa.from - fb.from, fb.across);
     const auto face = [&](double e) { return Cut{fa.start + (e - off) / sine, slope}; };
@@ -70,23 +70,23 @@ class Finder {
     s.high = face(sine > 0.0 ? leg(b.leg).half : -leg(b.leg).half);
     return s;
   }
-  [[nodiscard]] double sine(Side a, Side b) const { return std::abs(dot(facet(a).along, facet(b).across)); }
+  [[nodiscard]] double sine(LegSide a, LegSide b) const { return std::abs(dot(facet(a).along, facet(b).across)); }
 
-  void add_station(Side a, Side b, LegEnd end) {
+  void add_station(LegSide a, LegSide b, LegEnd end) {
     Station s = strip(a, b);
     s.end = end, s.meeting = plan_.meetings.size();
     leg(a.leg).stations.push_back(s);
   }
 
   void add_corner(const Corner& c) {
-    const Side a{c.before, leg(c.before).facets.size() - 1}, b{c.behind, 0};
+    const LegSide a{c.before, leg(c.before).facets.size() - 1}, b{c.behind, 0};
     add_station(a, b, LegEnd::high), add_station(b, a, LegEnd::low);
     const bool first_hosts = c.number % 2 == 1;
     plan_.meetings.push_back({first_hosts ? c.before : c.behind, first_hosts ? c.behind : c.before});
   }
 
   /// The cuts at the ends of a facet. \param through  at an end in another wall: at its far face, else at the near one
-  [[nodiscard]] std::pair<Cut, Cut> ends_of(Side a, bool through) const {
+  [[nodiscard]] std::pair<Cut, Cut> ends_of(LegSide a, bool through) const {
     const Leg& l = leg(a.leg);
     const Facet& f = facet(a);
     std::pair<Cut, Cut> ends{{f.start, 0.0}, {f.start + f.length, 0.0}};
@@ -100,7 +100,7 @@ class Finder {
     return ends;
   }
 
-  [[nodiscard]] geometry::Polygon outline(Side a, bool through) const {
+  [[nodiscard]] geometry::Polygon outline(LegSide a, bool through) const {
     const auto [low, high] = ends_of(a, through);
     const Leg& l = leg(a.leg);
     const Facet& f = facet(a);
@@ -111,12 +111,12 @@ class Finder {
     }
     return all;
   }
-  [[nodiscard]] bool overlap(Side a, Side b, bool through) const {
+  [[nodiscard]] bool overlap(LegSide a, LegSide b, bool through) const {
     return geometry::region(geometry::intersection(outline(a, through), outline(b, through))).area > kNoArea;
   }
 
   /// Notes the free ends of a that lie in b.
-  void find_ends(Side a, Side b) {
+  void find_ends(LegSide a, LegSide b) {
     const Leg &la = leg(a.leg), &lb = leg(b.leg);
     if (la.ring || sine(a, b) < kLeastSine) return;
     const Facet &fa = facet(a), &fb = facet(b);
@@ -135,7 +135,7 @@ class Finder {
     }
   }
 
-  [[nodiscard]] LegEnd end_in(Side a, Side b) const {
+  [[nodiscard]] LegEnd end_in(LegSide a, LegSide b) const {
     for (const LegEnd which : {LegEnd::low, LegEnd::high}) {
       const auto found = free_ends_.find({a.leg, which});
       if (found != free_ends_.end() && found->second.in.leg == b.leg && found->second.in.facet == b.facet) return which;
@@ -144,20 +144,20 @@ class Finder {
   }
 
   /// Whether the strip of b lies in a from face to face.
-  [[nodiscard]] bool passes(Side a, Side b) const {
+  [[nodiscard]] bool passes(LegSide a, LegSide b) const {
     const double half = leg(a.leg).half;
     const auto [low, high] = ends_of(a, true);
     const Station s = strip(a, b);
     return shorter_side(low, s.low, half) > -kPlanTolerance && shorter_side(s.high, high, half) > -kPlanTolerance;
   }
 
-  [[noreturn]] void refuse(Side a, Side b, const std::string& problem) const {
+  [[noreturn]] void refuse(LegSide a, LegSide b, const std::string& problem) const {
     const std::size_t later = std::max(leg(a.leg).wall, leg(b.leg).wall);
-    const Side mine = leg(b.leg).wall == later ? b : a, other = leg(b.leg).wall == later ? a : b;
+    const LegSide mine = leg(b.leg).wall == later ? b : a, other = leg(b.leg).wall == later ? a : b;
     throw InputError(wall_key(later, "points"), "the " + leg(mine.leg).tag + " and the " + leg(other.leg).tag + problem);
   }
 
-  void meet(Side a, Side b) {
+  void meet(LegSide a, LegSide b) {
     if (sine(a, b) < kLeastSine) {
       if (overlap(a, b, false))
         refuse(a, b, " overlap at an angle below 30 degrees; a wall that two buildings share is given once, and others end in it");
@@ -224,7 +224,7 @@ class Finder {
   }
 
   struct FreeEnd {
-    Side in;
+    LegSide in;
     Station station;
   };
   const std::vector<WallSpec>& walls_;
