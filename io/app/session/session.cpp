@@ -230,7 +230,7 @@ int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState&
                 const std::string& folder, bool quiet, double page_every) {
   std::optional<Signals> signals(std::in_place);
   Watch watch(sim, plan, results, checkpoints, LivePage(folder, page_every), quiet);
-  const std::string light = light_elements_warning(sim.world(), c.analysis);
+  const std::string light = light_elements_warning(sim.world(), c);
   if (!light.empty()) std::fprintf(stderr, "voussoir: warning: %s\n", light.c_str());
   try {
     now_doing("running");

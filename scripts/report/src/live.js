@@ -8,11 +8,12 @@ const kRest = 15; // s: as long after the last touch it waits, so that nobody lo
 export function keepUp(report) {
   const element = document.getElementById("live");
   if (!element) return;
+  const asked = location.hash; // as it was opened; the page writes its own address there soon
   let touched = -Infinity;
   for (const what of ["pointerdown", "wheel", "keydown"]) addEventListener(what, () => (touched = performance.now()), { capture: true, passive: true });
   setInterval(() => {
     if (document.hidden || report.playing || performance.now() - touched < 1000 * kRest) return;
-    if (touched === -Infinity) history.replaceState(null, "", location.pathname); // opens at the newest or worst moment
+    if (touched === -Infinity) history.replaceState(null, "", location.pathname + asked);
     location.reload();
   }, 1000 * Number(element.textContent));
 }

@@ -10,8 +10,9 @@
 
 namespace voussoir::io {
 
-std::string light_elements_warning(const solver::World& world, const cases::Analysis& analysis) {
-  if (!cases::finds_rest(analysis)) return "";
+std::string light_elements_warning(const solver::World& world, const cases::Case& c) {
+  const cases::Analysis& analysis = c.analysis;
+  if (!cases::finds_rest(analysis) || c.gravity.acceleration == Vec3{}) return "";
   const solver::Elements& e = world.elements;
   double all = 0.0, count = 0.0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
