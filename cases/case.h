@@ -57,9 +57,9 @@ struct Case {
   /// (cases/solids/origin.h).
   std::optional<Vec3> origin;
 
-  /// Time of shaking, or of a quasi-static analysis, at which the run ends at the latest [s].
-  /// `time.multirate`, which is of time histories alone.
+  /// `time.multirate` of a time history; an analysis has one rate.
   [[nodiscard]] int multirate() const noexcept { return is_assessment(analysis) ? 1 : time.multirate; }
+  /// Time of shaking, or of a quasi-static analysis, at which the run ends at the latest [s].
   [[nodiscard]] double end() const noexcept { return is_assessment(analysis) ? analysis.longest : time.duration; }
   void set_end(double t) noexcept { (is_assessment(analysis) ? analysis.longest : time.duration) = t; }
 };
