@@ -213,7 +213,7 @@ class Method {
       if (!normal_.factorise(x_.cwiseQuotient(z_), shift)) continue;
       Change c = corrected();
       if (c.missed < best.missed) best = std::move(c);
-      if (best.missed <= kMissed * kTolerance * (1.0 + p_.right.norm())) break;
+      if (best.missed <= kMissed * std::max(kTolerance * (1.0 + p_.right.norm()), primal_.norm())) break;
     }
     return best;
   }
