@@ -244,7 +244,7 @@ void Hdf5File::read_rows(const std::string& name, Hdf5Type type, std::uint64_t f
     for (std::size_t i = 1; i < whole.size(); ++i) bytes *= whole[i];
     for (const hdf5::Piece& p : pieces) {
       const std::uint64_t from = std::max(first, p.first), to_row = std::min(first + rows, p.first + p.rows);
-      if (from < to_row) source(p.file).read_rows(p.dataset, type, from - p.first, to_row - from, to + (from - first) * bytes);
+      if (from < to_row) source(p, whole).read_rows(p.dataset, type, from - p.first, to_row - from, to + (from - first) * bytes);
     }
   } else if (!part.empty) {
     doing.check(H5Dread(part.dataset, types_of(type).memory, part.memory, part.space, H5P_DEFAULT, data));

@@ -13,6 +13,10 @@
 #include <vector>
 
 /// The only interface to HDF5. Every fault becomes a FileError with the file, the object and the reason given by HDF5 or the system.
+namespace voussoir::io::hdf5 {
+struct Piece;
+}
+
 namespace voussoir::io {
 
 enum class Hdf5Type : std::uint8_t { f64, f32, u8, i32, i64 };
@@ -187,6 +191,8 @@ class Hdf5File {
  private:
   [[nodiscard]] std::vector<std::string> attribute_names(const std::string& object) const;
   [[nodiscard]] const Hdf5File& source(const std::string& file) const;
+  /// The file of a piece. \param whole  shape of the virtual dataset \throw FileError if the dataset there has not the rows of the piece
+  [[nodiscard]] const Hdf5File& source(const hdf5::Piece& piece, const Shape& whole) const;
 
   Hdf5File(std::string path, std::int64_t handle) : path_(std::move(path)), handle_(handle) {}
 

@@ -120,6 +120,14 @@ const Hdf5File& Hdf5File::source(const std::string& file) const {
   return *known;
 }
 
+const Hdf5File& Hdf5File::source(const hdf5::Piece& p, const Shape& whole) const {
+  const Hdf5File& from = source(p.file);
+  Shape there = from.shape(p.dataset);
+  if (!there.empty() && there[0] >= p.rows) there[0] = whole[0];
+  if (there != whole) throw FileError(from.path(), p.dataset + " has not the rows that " + path_ + " names");
+  return from;
+}
+
 std::uint64_t Hdf5File::count_of(const std::string& name) const {
   const Doing doing{path_, "read", name};
   const Handle dataset = doing.own(H5Dopen2(handle_, name.c_str(), H5P_DEFAULT), H5Dclose);
@@ -133,13 +141,7 @@ std::uint64_t Hdf5File::count_of(const std::string& name) const {
     if (d.claimed / most > d.stored)
       throw FileError(path_, name + " claims " + std::to_string(d.claimed) + " bytes; the file has " + std::to_string(d.stored) + " of it");
   }
-  for (const hdf5::Piece& p : pieces) {
-    const Hdf5File& from = source(p.file);
-    Shape there = from.shape(p.dataset);
-    if (!there.empty() && there[0] >= p.rows) there[0] = whole[0];
-    if (there != whole) throw FileError(from.path(), p.dataset + " has not the rows that " + path_ + " names");
-    static_cast<void>(from.count_of(p.dataset));
-  }
+  for (const hdf5::Piece& p : pieces) static_cast<void>(source(p, whole).count_of(p.dataset));
   return product(whole);
 }
 

@@ -159,6 +159,26 @@ TEST_CASE("rows are taken from parts of the same folder alone") {
   }
 }
 
+TEST_CASE("rows of a part that are wider than the run's are refused, whatever reads them") {
+  const TempFolder dir;
+  std::filesystem::create_directory(dir.file("parts"));
+  const std::vector<double> wide(8, 1.0);
+  for (const char* name : {"parts/0000.h5", "run.h5"}) {
+    Hdf5File file = Hdf5File::create(dir.file(name));
+    file.set_attribute("/", "schema_version", std::int64_t{6});
+    if (std::string(name) == "run.h5")
+      file.create_virtual("/rows", Hdf5Type::f64, {2}, std::vector<VirtualSource>{{"parts/0000.h5", "/rows", 2, 2}});
+    else
+      file.write<double>("/rows", {2, 4}, wide);
+    file.close();
+  }
+  const Hdf5File run = Hdf5File::open(dir.file("run.h5"));
+  CHECK_THROWS_WITH_AS(static_cast<void>(run.read<double>("/rows")), doctest::Contains("has not the rows that"), FileError);
+  std::vector<double> rows(8);  // room for what would be read
+  CHECK_THROWS_WITH_AS(run.read_rows("/rows", Hdf5Type::f64, 0, 2, rows.data()), doctest::Contains("has not the rows that"), FileError);
+  CHECK(rows == std::vector<double>(8, 0.0));
+}
+
 TEST_CASE("check reads the parts of a run that goes on") {
   const TempFolder dir;
   ResultsWriter w(dir.path(), test::two_cubes(), test::kCase, test::kNames, {});
