@@ -51,7 +51,10 @@ class Analysis {
     std::vector<double> right = balance_.dead();
     for (double& r : right) r = -r;
     const ProgrammeSolution found = programmes_.solve({balance_.live(), right, LpGoal::most, kLpBound, {}});
-    if (found.outcome == LpOutcome::none) throw no_proof();
+    if (found.outcome == LpOutcome::none) {
+      std::fprintf(stderr, "DBG assoc none\n");
+      throw no_proof();
+    }
     if (found.outcome == LpOutcome::at_bound) refuse_what_never_falls();
     s.multiplier = found.factor * balance_.live_scale();
     s.motion = found.motion;
@@ -102,14 +105,24 @@ class Analysis {
   void refuse_what_falls() const {
     const ProgrammeSolution s = programmes_.solve({balance_.dead(), std::vector<double>(balance_.rows(), 0.0), LpGoal::most, 1.0, {}});
     if (s.outcome == LpOutcome::at_bound && checks_.check_forces(on_model(s.forces), s.factor, 0.0).worst() <= LimitProof::kForces) return;
+    std::fprintf(stderr, "DBG dead outcome %d factor %.12g worst %.3g\n", (int)s.outcome, s.factor,
+                 s.outcome == LpOutcome::none ? -1.0 : checks_.check_forces(on_model(s.forces), s.factor, 0.0).worst());
     if (s.outcome != LpOutcome::solved) throw no_proof();
+    {
+      const MotionCheck m = checks_.check_motion(s.motion);
+      std::fprintf(stderr, "DBG overlap %.3g offn %.3g dead %.6g terms %.6g fastest %s weight %.6g\n", m.overlap, m.off_normal,
+                   m.dead_power, m.dead_terms, fastest(s.motion).c_str(), forces_.weight);
+    }
     const MotionCheck m = checks_.check_motion(s.motion);
     const double least = std::max(kFalls * m.dead_terms, kCertain * m.off_normal * forces_.weight);
     if (m.off_normal > LimitProof::kMotion || !(m.dead_power > least)) throw no_proof();
-    throw cases::InputError("",
-                            "does not stand under its dead loads alone, as dry blocks with the friction of their contacts: a mechanism "
-                            "was found and checked in which " +
-                                fastest(s.motion) + " moves fastest");
+    throw cases::InputError(
+        "", "does not stand under its dead loads alone, as dry blocks with the friction of their contacts" +
+                std::string(model_.ties.empty() ? "" : " and without its ties") + ": a mechanism was found and checked in which " +
+                fastest(s.motion) + " moves fastest" +
+                (model_.ties.empty() ? ""
+                                     : ". Limit analysis leaves ties out: where a roof stands by them, take it away (as --set "
+                                       "house.roof= does) and put its weight on the walls as [[load]]s"));
   }
   [[noreturn]] void refuse_what_never_falls() const {
     const ProgrammeSolution s = programmes_.solve({balance_.live(), std::vector<double>(balance_.rows(), 0.0), LpGoal::most, 1.0, {}});

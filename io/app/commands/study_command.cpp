@@ -26,16 +26,18 @@ fs::path study_script(const fs::path& program) {
   throw FileError("scripts/study/run", "is neither in the checkout of " + program.string() + " nor installed beside it");
 }
 
-/// Becomes the script, which runs this program for every run of the study.
+/// Becomes the script, which runs this program for every run of the study. A Python beside the program, as pip puts it there, runs the script.
 int run_study(const std::string& file, const std::vector<std::string>& more) {
   const fs::path program = fs::read_symlink("/proc/self/exe"), script = study_script(program);
   setenv("VOUSSOIR", program.c_str(), 0);  // another one that the user names stays
   std::vector<std::string> words{script.string(), file};
   words.insert(words.end(), more.begin(), more.end());
+  const fs::path python = program.parent_path() / "python3";
+  if (std::error_code error; fs::exists(python, error)) words.insert(words.begin(), python.string());
   std::vector<char*> given;
   for (std::string& word : words) given.push_back(word.data());
   given.push_back(nullptr);
-  execv(script.c_str(), given.data());
+  execv(given.front(), given.data());
   throw FileError(script.string(), "cannot be started; it needs /usr/bin/python3 with h5py (scripts/setup)");
 }
 

@@ -23,6 +23,7 @@ namespace voussoir::io {
 namespace {
 
 constexpr double kPiece = 1.0;       // m, length of a piece of a wall's top, over which displacement is averaged
+constexpr double kMostPieces = 1e5;  // of a wall: a damaged file may have any length
 constexpr double kSameLevel = 1e-3;  // m
 constexpr double kOnBorder = 1e-6;   // of a piece: a centre so near to its end counts in both that meet there, not in one by round-off
 
@@ -187,7 +188,7 @@ void find_lintels(const Elements& elements, Building& b) {
 }
 
 void find_courses(const Elements& elements, Building& b) {
-  for (Wall& w : b.walls) w.top.resize(static_cast<std::size_t>(std::max(1L, std::lround(w.length() / kPiece))));
+  for (Wall& w : b.walls) w.top.resize(static_cast<std::size_t>(std::lround(std::clamp(w.length() / kPiece, 1.0, kMostPieces))));
   for (std::size_t e = 0; e < b.wall.size(); ++e) {
     if (b.wall[e] < 0 || wall_tag(elements.tag[e]).gable) continue;
     Wall& w = nth(b.walls, b.wall[e]);

@@ -16,15 +16,40 @@
 scripts/python/README.md tells the rest.
 """
 
-from . import compas
-from .commands import Progress, call, motion, ready_cases, version
+import importlib
+from typing import TYPE_CHECKING, Any
+
 from .errors import FileError, InputError, NumericalFailure, ProcessorError, ProgramNotFound, ProgramWarning, Stopped, VoussoirError
-from .model import Model, opening
 from .program import program
-from .results import Array, Frame, Frames, History, Results, Table
-from .run import Run
-from .study import Study
+
+if TYPE_CHECKING:
+    from . import compas
+    from .commands import Progress, call, motion, ready_cases, version
+    from .model import Model, opening
+    from .results import Array, Frame, Frames, History, Results, Table
+    from .run import Run
+    from .study import Study
+
+# The rest is imported when it is asked for: results need NumPy and h5py, which take longer to import than most calls of the program.
+_MODULES = {"Progress": "commands", "call": "commands", "motion": "commands", "ready_cases": "commands", "version": "commands",
+            "Model": "model", "opening": "model", "Run": "run", "Study": "study",
+            **dict.fromkeys(("Array", "Frame", "Frames", "History", "Results", "Table"), "results")}
+_SUBMODULES = ("compas", "plots")
 
 __all__ = ["Array", "FileError", "Frame", "Frames", "History", "InputError", "Model", "NumericalFailure", "ProcessorError", "Progress",
            "ProgramNotFound", "ProgramWarning", "Results", "Run", "Stopped", "Study", "Table", "VoussoirError", "call", "compas", "motion", "opening", "program",
            "ready_cases", "version"]
+
+
+def __getattr__(name: str) -> Any:
+    module = name if name in _SUBMODULES else _MODULES.get(name)
+    if module is None:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    found = importlib.import_module(f".{module}", __name__)
+    value = found if name in _SUBMODULES else getattr(found, name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*__all__, *_SUBMODULES})

@@ -17,11 +17,11 @@ import warnings
 from collections.abc import Iterator
 from typing import Any
 
-import numpy as np
-
 from .errors import FileError, InputError, ProgramWarning
 from .model import Model
-from .results import Results, rotation_matrices
+from .results import Results, rotation_matrices  # first: says which package is missing
+
+import numpy as np  # isort: skip
 
 _RAMP = [0.0, 0.5]  # s, of loads that COMPAS calls "ramp"
 _HALF = 1e-3  # m, of the box about the middle of two stones, by which their contact is told from others

@@ -7,16 +7,16 @@ import pathlib
 import re
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, TypeVar
-
-import numpy as np
-from numpy.typing import ArrayLike
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from . import commands, toml
 from .commands import Progress, absolute_if_file
 from .errors import FileError
-from .run import Run
-from .shapes import shape_of
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from .run import Run
 
 Path = str | os.PathLike[str]
 T = TypeVar("T")
@@ -97,11 +97,12 @@ class Model:
         if openings is not None:
             house["opening"] = [dict(o) for o in openings]
 
-    def block(self, name: str, vertices: ArrayLike, faces: Sequence[Sequence[int]] | None = None, *, material: str, **keys: Any) -> None:
+    def block(self, name: str, vertices: "ArrayLike", faces: Sequence[Sequence[int]] | None = None, *, material: str, **keys: Any) -> None:
         """A convex block from a mesh: n x 3 vertices in m and the corners of each face; without faces, the 8 vertices of a hexahedron in VTK's order.
 
         keys: fixed, free, velocity, angular_velocity, rotate, motion.
         """
+        from .shapes import shape_of  # here, so that NumPy is needed by those alone who have meshes
         self._add_block(name, material, shape_of(name, vertices, faces), keys)
 
     def add_stones(self, file: Path, *, unit: str, **keys: Any) -> None:
@@ -111,19 +112,19 @@ class Model:
         """
         self.case.setdefault("stones", []).append(_from_anywhere("stones", {"file": file, "unit": unit, **keys}))
 
-    def box(self, name: str, low: ArrayLike, high: ArrayLike, *, material: str, **keys: Any) -> None:
+    def box(self, name: str, low: "ArrayLike", high: "ArrayLike", *, material: str, **keys: Any) -> None:
         """A block between two opposite corners, m. keys: as for `block`."""
         self._add_block(name, material, {"box": [_row(low), _row(high)]}, keys)
 
-    def prism(self, name: str, polygon: ArrayLike, extrude: tuple[float, float], *, material: str, **keys: Any) -> None:
+    def prism(self, name: str, polygon: "ArrayLike", extrude: tuple[float, float], *, material: str, **keys: Any) -> None:
         """A block along x: its section in y and z, and its range in x, m. keys: as for `block`."""
-        self._add_block(name, material, {"polygon": np.asarray(polygon, dtype=float).tolist(), "extrude": _row(extrude)}, keys)
+        self._add_block(name, material, {"polygon": [_row(corner) for corner in polygon], "extrude": _row(extrude)}, keys)
 
     def _add_block(self, name: str, material: str, shape: Mapping[str, Any], keys: Mapping[str, Any]) -> None:
         block = {"name": name, "material": material, **shape, **keys}
         self.case.setdefault("block", []).append(_from_anywhere("block", block))
 
-    def load(self, block: str, *, force: ArrayLike = (0.0, 0.0, 0.0), moment: ArrayLike = (0.0, 0.0, 0.0), **keys: Any) -> None:
+    def load(self, block: str, *, force: "ArrayLike" = (0.0, 0.0, 0.0), moment: "ArrayLike" = (0.0, 0.0, 0.0), **keys: Any) -> None:
         """A load on a block: force in N, moment in N m. keys: at (m), ramp (s, s), history (a file), follows, grows."""
         load = {"block": block, "force": _row(force), "moment": _row(moment), **keys}
         self.case.setdefault("load", []).append(_from_anywhere("load", load))
@@ -135,7 +136,7 @@ class Model:
         unit."""
         self.case["motion"] = _from_anywhere("motion", {**({"record": record} if record is not None else {}), **keys})
 
-    def follow(self, name: str, point: ArrayLike) -> None:
+    def follow(self, name: str, point: "ArrayLike") -> None:
         """Records a history of the element nearest to a point, m. The first call replaces the points that an included case follows."""
         self.case.setdefault("output", {}).setdefault("history", []).append({"name": name, "point": _row(point)})
 
@@ -185,11 +186,12 @@ class Model:
         return self._with_file(lambda path: commands.holds("run", path, "--verify", *more))
 
     def run(self, folder: Path | None = None, *, until: float | None = None, threads: int | None = None, overwrite: bool = False,
-            progress: bool | Callable[[Progress], None] = True, options: Sequence[commands.Word] = ()) -> Run:
+            progress: bool | Callable[[Progress], None] = True, options: Sequence[commands.Word] = ()) -> "Run":
         """Settles the model under gravity, shakes it, writes results. Ctrl-C saves and stops: Stopped; `Run(folder).resume()` goes on.
 
         folder: default results/TITLE. until: s of shaking. progress: see commands.watch. options: further ones of `voussoir run --help`.
         """
+        from .run import Run  # first: what results need is missed now, not when the run has ended
         folder = pathlib.Path(folder or pathlib.Path("results") / self._file_name())
         words: list[Any] = ["-o", folder, *(["--duration", until] if until is not None else []), *(["-j", threads] if threads else []),
                             *(["--overwrite"] if overwrite else []), *options]
@@ -222,5 +224,5 @@ def _from_anywhere(path: str, value: Any) -> Any:
     return absolute_if_file(value) if path in FILES and isinstance(value, (str, os.PathLike)) else value
 
 
-def _row(values: ArrayLike) -> list[float]:
-    return [float(v) for v in np.asarray(values, dtype=float)]
+def _row(values: "ArrayLike") -> list[float]:
+    return [float(v) for v in values]

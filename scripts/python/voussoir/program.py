@@ -5,13 +5,17 @@
 import os
 import pathlib
 import shutil
+import sys
+import sysconfig
 
+_HOME = pathlib.Path(__file__).resolve().parents[1]
 _UP = pathlib.Path(__file__).resolve().parents[3]
 CHECKOUT = _UP if (_UP / "CMakeLists.txt").exists() else None  # None where the package is installed
 
 
 def program() -> str:
-    """VOUSSOIR if it is set, else what `scripts/build` built in the checkout that holds this package, else `voussoir` on the PATH.
+    """VOUSSOIR if it is set, else the program that came with this package: what `scripts/build` built in the checkout that holds it, or what
+    a wheel has put beside Python; else `voussoir` on the PATH.
 
     If none exists: the path where one is expected.
     """
@@ -20,7 +24,17 @@ def program() -> str:
     built = CHECKOUT / "build/release/io/voussoir" if CHECKOUT else None
     if built and built.exists():
         return str(built)
+    for folder in () if CHECKOUT else _folders():
+        found = shutil.which("voussoir", path=folder)
+        if found:
+            return found
     return shutil.which("voussoir") or str(built or "voussoir")
+
+
+def _folders() -> list[str]:
+    """Where pip puts programs: of this environment, of the user, of `pip install --target`."""
+    user = sysconfig.get_path("scripts", f"{os.name}_user")
+    return [os.path.dirname(sys.executable), sysconfig.get_path("scripts"), user, str(_HOME / "bin")]
 
 
 def results() -> pathlib.Path:

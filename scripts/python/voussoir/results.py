@@ -8,13 +8,15 @@ Names, shapes and meanings are those of io/RESULTS.md.
 import contextlib
 import os
 import pathlib
-import tomllib
 import warnings
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-import h5py
-import numpy as np
+try:
+    import h5py
+    import numpy as np
+except ModuleNotFoundError as missing:
+    raise ImportError(f"results need {missing.name}: pip install \"voussoir[results]\", or Debian's python3-numpy and python3-h5py") from missing
 from numpy.typing import NDArray
 
 from .errors import FileError, ProgramWarning, VoussoirError
@@ -371,6 +373,7 @@ class Results:
     @property
     def case(self) -> dict[str, Any]:
         """The resolved case: all keys with their values."""
+        import tomllib  # here, since Python 3.10 has none
         with reading(f"{self._path}, case"):
             return tomllib.loads(self._at("case").attrs["toml"])
 

@@ -9,8 +9,6 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
-import numpy as np
-
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
@@ -24,17 +22,19 @@ def value_text(value: Any) -> str:
 
     Raises TypeError for other types, ValueError for numbers that are not finite.
     """
-    if isinstance(value, (bool, np.bool_)):
+    if hasattr(value, "tolist"):  # an array or a number of NumPy, which need not be there
+        value = value.tolist()
+    if isinstance(value, bool):
         return "true" if value else "false"
-    if isinstance(value, (int, np.integer)):
-        return str(int(value))
-    if isinstance(value, (float, np.floating)):
+    if isinstance(value, int):
+        return str(value)
+    if isinstance(value, float):
         if not math.isfinite(value):
             raise ValueError(f"{value} is not a finite number")
-        return repr(float(value))
+        return repr(value)
     if isinstance(value, (str, pathlib.PurePath)):
         return _string(str(value))
-    if isinstance(value, (list, tuple, np.ndarray)):
+    if isinstance(value, (list, tuple)):
         return "[" + ", ".join(map(value_text, value)) + "]"
     if isinstance(value, Mapping):
         return "{ " + ", ".join(f"{key_text(key)} = {value_text(inner)}" for key, inner in value.items()) + " }"

@@ -5,6 +5,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -19,11 +20,13 @@ using Columns = Eigen::SparseMatrix<double>;
 using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 constexpr int kMostIterations = 150;
-constexpr double kTolerance = 1e-8;  // of residuals and gap, relative
-constexpr double kStepBack = 0.995;  // of the way to the boundary at most
-constexpr double kPivot = 1e-13;     // of a diagonal entry: what keeps pivots of redundant equations off zero
-constexpr int kRefinements = 3;      // of a solution of the normal equations
-constexpr double kRefined = 1e-12;   // relative residual of the normal equations that is good enough
+constexpr double kTolerance = 1e-8;                  // of residuals and gap, relative
+constexpr double kStepBack = 0.995;                  // of the way to the boundary at most
+constexpr double kPivot = 1e-13;                     // of a diagonal entry: what keeps pivots of redundant equations off zero
+constexpr double kShifts[] = {1e-13, 1e-15, 1e-17};  // of the mean diagonal entry, likewise
+constexpr int kRefinements = 3;                      // of a solution of the normal equations, and of a step
+constexpr double kMissed = 0.1;                      // of the tolerance: what a step may miss of the equations
+constexpr double kRefined = 1e-12;                   // relative residual of the normal equations that is good enough
 
 /// A D Aᵀ with D diagonal and positive, for its inverse: the first column of A is kept apart, by Sherman and Morrison's formula.
 class NormalEquations {
@@ -33,9 +36,10 @@ class NormalEquations {
     cholesky_.analyzePattern(lower_);
   }
 
-  bool factorise(const VectorXd& d) {
+  /// \param shift  of the mean diagonal entry, added to each
+  bool factorise(const VectorXd& d, double shift) {
     d_ = d;
-    fill();
+    fill(shift);
     cholesky_.factorize(lower_);
     if (cholesky_.info() != Eigen::Success) return false;
     first_ = a_.col(0);
@@ -81,14 +85,14 @@ class NormalEquations {
     lower_.resize(a_.rows(), a_.rows());
     lower_.setFromTriplets(entries.begin(), entries.end());
   }
-  void fill() {
+  void fill(double shift) {
     VectorXd sum = VectorXd::Zero(a_.rows());
     for (Index row = 0; row < a_.rows(); ++row) {
       for_each_product(row, [&](Index other, Index column, double product) { sum(other) += d_(column) * product; });
       for (Columns::InnerIterator at(lower_, row); at; ++at) at.valueRef() = std::exchange(sum(at.row()), 0.0);
       lower_.coeffRef(row, row) *= 1.0 + kPivot;
     }
-    const double least = kPivot * lower_.diagonal().mean();
+    const double least = shift * lower_.diagonal().mean();
     for (Index row = 0; row < a_.rows(); ++row) lower_.coeffRef(row, row) += least;
   }
 
@@ -135,7 +139,7 @@ class Method {
     for (int i = 0; i < kMostIterations; ++i) {
       find_residuals();
       if (is_done()) return InteriorPoint{{x_.begin(), x_.end()}, {y_.begin(), y_.end()}, i};
-      if (!normal_.factorise(x_.cwiseQuotient(z_)) || !step()) return {};
+      if (!step()) return {};
     }
     return {};
   }
@@ -144,7 +148,7 @@ class Method {
   /// Mehrotra's: least squares, shifted until all is positive.
   bool start() {
     const Index n = p_.matrix.cols();
-    if (!normal_.factorise(VectorXd::Ones(n))) return false;
+    if (!normal_.factorise(VectorXd::Ones(n), kShifts[0])) return false;
     x_ = p_.matrix.transpose() * normal_.solve(p_.right);
     y_ = normal_.solve(p_.matrix * p_.costs);
     z_ = p_.costs - p_.matrix.transpose() * y_;
@@ -167,6 +171,7 @@ class Method {
   }
   struct Change {
     VectorXd x, y, z;
+    double missed = std::numeric_limits<double>::infinity();  // of the equations, once x is changed by all of it
   };
   /// Newton's step towards x z = products.
   [[nodiscard]] Change newton(const VectorXd& products) const {
@@ -175,17 +180,46 @@ class Method {
     c.y = normal_.solve(primal_ + p_.matrix * (d.cwiseProduct(dual_) - centring));
     c.z = dual_ - p_.matrix.transpose() * c.y;
     c.x = centring - d.cwiseProduct(c.z);
+    take_off_missed(d, c);
     return c;
   }
+  /// What rounding leaves of the equations is taken off the change of the unknowns itself: near the end d ranges over so many orders that
+  /// the prices cannot hold the digits of all unknowns.
+  void take_off_missed(const VectorXd& d, Change& c) const {
+    VectorXd left = primal_ - p_.matrix * c.x;
+    for (int i = 0; i < kRefinements && left.norm() > 0.0; ++i) {
+      const VectorXd better = c.x + d.cwiseProduct(p_.matrix.transpose() * normal_.solve(left));
+      const VectorXd now = primal_ - p_.matrix * better;
+      if (!(now.norm() < 0.5 * left.norm())) break;
+      c.x = better, left = now;
+    }
+    if (left.allFinite()) c.missed = left.norm();
+  }
   /// Predictor, then corrector.
-  bool step() {
+  [[nodiscard]] Change corrected() const {
     const VectorXd now = x_.cwiseProduct(z_);
     const Change predicted = newton(-now);
     const double reach_x = longest(x_, predicted.x), reach_z = longest(z_, predicted.z);
     const double would_be = (x_ + reach_x * predicted.x).dot(z_ + reach_z * predicted.z) / static_cast<double>(x_.size());
     const double centre = std::pow(would_be / mean_, 3);
     const VectorXd target = (-now - predicted.x.cwiseProduct(predicted.z)).array() + centre * mean_;
-    const Change c = newton(target);
+    return newton(target);
+  }
+  /// A large shift hides equations whose unknowns are all small, a small one lets round-off into the pivots of redundant equations. The
+  /// first is taken that misses little, else the one that misses least.
+  [[nodiscard]] Change best_change() {
+    Change best;
+    for (const double shift : kShifts) {
+      if (!normal_.factorise(x_.cwiseQuotient(z_), shift)) continue;
+      Change c = corrected();
+      if (c.missed < best.missed) best = std::move(c);
+      if (best.missed <= kMissed * kTolerance * (1.0 + p_.right.norm())) break;
+    }
+    return best;
+  }
+  bool step() {
+    const Change c = best_change();
+    if (!std::isfinite(c.missed)) return false;
     const double step_x = std::min(1.0, kStepBack * longest(x_, c.x)), step_z = std::min(1.0, kStepBack * longest(z_, c.z));
     x_ += step_x * c.x;
     y_ += step_z * c.y, z_ += step_z * c.z;

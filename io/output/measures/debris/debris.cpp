@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kShare = 0.95;  // of the fallen mass
 constexpr double kCell = 0.05;   // m: half the shortest edge of a brick
+constexpr double kWide = 25.0;   // m: no unit of masonry is wider than twice this
+constexpr double kFar = 1e15;    // cells, below which numbers are whole
 
 /// Distance of a point from a rectangle in plan [m]; 0 inside.
 double distance_from(const Box& box, Vec3 p) {
@@ -31,10 +33,10 @@ void measure_reach(std::vector<std::pair<double, double>> distance_and_mass, Deb
 
 using Cell = std::pair<std::int64_t, std::int64_t>;
 
-/// Adds the cells covered by one element.
+/// Adds the cells covered by one element, within kWide of its centroid: a damaged file may have any shape at any place.
 void cover(const ElementShapes& shapes, std::size_t element, const Pose& pose, std::vector<Cell>& cells) {
-  const double r = shapes.radius(element);
-  const auto number = [](double x) { return static_cast<std::int64_t>(std::floor(x / kCell)); };
+  const double r = std::min(shapes.radius(element), kWide);
+  const auto number = [](double x) { return static_cast<std::int64_t>(std::clamp(std::floor(x / kCell), -kFar, kFar)); };
   const auto centre = [](std::int64_t i) { return (static_cast<double>(i) + 0.5) * kCell; };
   for (std::int64_t j = number(pose.centre.y - r); j <= number(pose.centre.y + r); ++j)
     for (std::int64_t i = number(pose.centre.x - r); i <= number(pose.centre.x + r); ++i)

@@ -16,7 +16,7 @@ struct Debris {
   /// distance that contains 95 % of the fallen mass; 0 if nothing has fallen or everything fell inside. The footprint is the rectangle
   /// along x and y around the houses in the reference configuration (without a house: around all elements that are not fixed).
   double reach = 0, reach_95 = 0;
-  /// Area in plan [m2]: cells of 0.05 m whose centres lie under or in fallen elements.
+  /// Area in plan [m2]: cells of 0.05 m whose centres lie under or in fallen elements, within 25 m of the centroid of each.
   double area = 0;
 };
 

@@ -13,6 +13,7 @@ namespace {
 // Position of the vertical line in its cell, along x and y, as a share of the cell: chosen so that faces of bricks at multiples of 0.05 m
 // do not contain lines.
 constexpr double kPlace = 0.25;
+constexpr double kMostCells = 4000;  // of a room along an axis: a damaged file may have any
 
 /// Index range [first, last) of the cells whose lines lie in [from, to] [m].
 std::pair<std::size_t, std::size_t> cells_between(double from, double to, double origin, double size, std::size_t count) {
@@ -71,7 +72,7 @@ FreeVolume::FreeVolume(const Building& building, const ElementShapes& shapes, co
   const geometry::UniformGrid plan = in_plan(start);
   for (const Room& room : building.rooms) {
     Grid g{room, 0, 0, 0, 0, {}};
-    const auto cells = [](double length) { return static_cast<std::size_t>(std::max(1L, std::lround(length / kCell))); };
+    const auto cells = [](double length) { return static_cast<std::size_t>(std::lround(std::clamp(length / kCell, 1.0, kMostCells))); };
     g.nx = cells(room.high[0] - room.low[0]), g.ny = cells(room.high[1] - room.low[1]);
     g.dx = (room.high[0] - room.low[0]) / static_cast<double>(g.nx), g.dy = (room.high[1] - room.low[1]) / static_cast<double>(g.ny);
     find_ceiling(g, start, over(room, plan));

@@ -138,6 +138,17 @@ TEST_CASE("debris reaches as far as the farthest fallen element is from the foot
   CHECK(m.debris.reach_95 == doctest::Approx(7.0));  // 5/6 is less than 95 %
 }
 
+TEST_CASE("of debris wider than any unit the middle 50 m count") {
+  const TempFolder folder;
+  cases::Model model = wall_and_beam();
+  for (Vec3& v : model.blocks[1].shape.vertices) v.x *= 1e6, v.y *= 1e6;
+  for (std::size_t f = 6; f < 10; ++f) model.assembly.faces[f].distance *= 1e6;  // those along x and y
+  ResultsWriter results(folder.path(), model, kCase, kNames, {}, by_hand());
+  put_frame(results, 0.0, {0.05, 0.05, 0.05}, {0.2 + 3, 0.1 + 4, 0.05});
+  results.finish();
+  CHECK(measures_of(folder).debris.area == doctest::Approx(50.0 * 50.0).epsilon(0.01));
+}
+
 TEST_CASE("what stands is no debris, and what flies off alone does not count among 95 % of it") {
   const TempFolder folder;
   cases::Model model = wall_and_beam();

@@ -169,7 +169,7 @@ TEST_CASE("rows of a part that are wider than the run's are refused, whatever re
     if (std::string(name) == "run.h5")
       file.create_virtual("/rows", Hdf5Type::f64, {2}, std::vector<VirtualSource>{{"parts/0000.h5", "/rows", 2, 2}});
     else
-      file.write<double>("/rows", {2, 4}, wide);
+      file.write_dataset("/rows", Hdf5Type::f64, {2, 4}, wide.data(), {}, {});
     file.close();
   }
   const Hdf5File run = Hdf5File::open(dir.file("run.h5"));
