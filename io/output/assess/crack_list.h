@@ -17,7 +17,7 @@ namespace voussoir::io {
 struct Crack {
   std::int32_t wall = 0;               // index into Building::walls
   std::vector<std::size_t> joints;     // rows of /model/joint
-  std::array<double, 2> along{}, z{};  // m: from the left end of the wall, as seen from outside; above the base: least and largest
+  std::array<double, 2> along{}, z{};  // m: from the left end of the wall, as seen from outside; Building::height_of: least and largest
   double length = 0;                   // m, on that face of the wall on which it is longer
   double width = 0;                    // m, of its widest joint at the assessed frame
   Vec3 widest;                         // m, middle of that joint, in the reference configuration

@@ -254,7 +254,7 @@ void find_covers(const Elements& elements, Building& b) {
   }
 }
 
-/// From which heights count in a model without a base, as in the solver.
+/// From which heights count in the solver in a model without a base.
 double lowest(const std::vector<Box>& boxes) {
   double low = std::numeric_limits<double>::infinity();
   for (const Box& b : boxes) low = std::min(low, b.low[2]);
@@ -294,7 +294,8 @@ Building building_of(const Hdf5File& run) {
   b.wall.assign(n, -1);
   b.covers.assign(n, 0);
   b.box = boxes_of(run, n);
-  b.base = b.has_base ? case_number(run, "base", "z") - origin_of_run(run).z : lowest(b.box);
+  b.datum = (b.has_base ? case_number(run, "base", "z") : 0.0) - origin_of_run(run).z;
+  b.base = b.has_base ? b.datum : lowest(b.box);
   find_walls(elements, static_cast<int>(std::lround(case_number(run, "house", "turn") / 90.0)), b);
   find_lintels(elements, b);
   find_rooms(b, has_table(run, "wall"));

@@ -59,8 +59,9 @@ struct Room {
 struct Building {
   static constexpr int kAll = std::numeric_limits<int>::max();  // value of `covers`
 
-  double base = 0;  // m, height of the base; without one, of the lowest corner
+  double base = 0;  // m, z of the base; without one, of the lowest corner, from which the solver counts what has fallen
   bool has_base = false;
+  double datum = 0;          // m, z from which heights count that are shown: of the base; without one, z = 0 of the case
   std::vector<double> mass;  // kg, by element like the following vectors; 0 for fixed elements
   std::vector<cases::PartKind> kind;
   std::vector<std::int32_t> wall;  // index into walls; −1: of no wall
@@ -70,6 +71,9 @@ struct Building {
   std::vector<Room> rooms;         // of houses whose walls enclose one
   Box footprint;                   // of the houses; without a house, of all elements that are not fixed
 
+  /// Height as a drawing has it, for all that is shown [m]: above the base; without one, z of the case.
+  [[nodiscard]] double height_of(double z) const noexcept { return z - datum; }
+  [[nodiscard]] double z_of(double height) const noexcept { return height + datum; }
   [[nodiscard]] bool is_roof(std::size_t element) const noexcept {
     return kind[element] == cases::PartKind::beam || kind[element] == cases::PartKind::voussoir;
   }

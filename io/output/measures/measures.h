@@ -32,7 +32,7 @@ struct WallMeasures {
   double residual_drift = 0;                        // at the end; NaN: the wall does not stand
   double peak_in_plane_drift = 0;                   // as peak_drift, along the wall
   double storey = 1;                                // number, from below
-  double foot = 0, top = 0;                         // m, of the wall above the base
+  double foot = 0, top = 0;                         // m, of the wall: Building::height_of
   double peak_drift_time = kNeverReached;           // s, of peak_drift
   double peak_storey_drift = 0;                     // storey_drift of largest magnitude while the wall stood; NaN: never stood
   double peak_storey_drift_time = kNeverReached;    // s, of it

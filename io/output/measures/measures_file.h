@@ -45,7 +45,7 @@ inline constexpr std::array kWallColumns{
     WallColumn{"settling_crack_extent", &WallMeasures::settling_crack_extent, "1", "crack_extent when the shaking began"},
     WallColumn{"large_crack_extent", &WallMeasures::large_crack_extent, "1", "the same with 5 mm"},
     WallColumn{"storey", &WallMeasures::storey, "1", "number of the storey, from below"},
-    WallColumn{"foot", &WallMeasures::foot, "m", "height of the wall's foot above the base"},
+    WallColumn{"foot", &WallMeasures::foot, "m", "height of the wall's foot (above the base; without one, z of the case)"},
     WallColumn{"top", &WallMeasures::top, "m", "height of its top, without a gable"},
     WallColumn{"peak_drift_time", &WallMeasures::peak_drift_time, "s", "of peak_drift; below 0: never"},
     WallColumn{"peak_storey_drift", &WallMeasures::peak_storey_drift, "1",
