@@ -33,8 +33,10 @@ Table<SupportMotion> support_motion_table() {
   using S = SupportMotion;
   return {"motion of a fixed block, or of a part of the base: velocity or file",
           {value<S>("velocity", &S::velocity, "m/s", any().usually(usual::kSpeed), "constant velocity"),
-           value<S>("file", &S::file, "", filled(),
-                    "CSV of t, x, y, z in s and m, from where the block stands; a first row away from zero is a jump")},
+           value<S>(
+               "file", &S::file, "", filled(),
+               "CSV of t, x, y, z in s and m, from where the block stands; a first row away from zero is a jump. In a settlement t says in "
+               "which order and proportion supports move, not how fast")},
           [](const S& s, const RuleCheck& check) {
             if (s.velocity && s.file) check.fault("file", "does not go with velocity; give one of them");
             if (!s.velocity && !s.file) check.fault("", "says nothing; give velocity (m/s) or file");
