@@ -22,6 +22,7 @@
 #include "io/output/measures/chance.h"
 #include "io/output/measures/measures_file.h"
 #include "io/output/measures/members/member_words.h"
+#include "io/output/measures/members/peak_base_shear.h"
 #include "io/output/measures/place_in_run.h"
 #include "io/output/replay/run_file.h"
 #include "io/output/replay/run_state.h"
@@ -53,6 +54,7 @@ Json summary_of(const Hdf5File& run, const Measures& m, const std::optional<Capa
     out["collapsed"] = std::int64_t{m.collapsed};
     out["fallen_mass_fraction"] = m.fallen_mass_fraction;
     out["first_crack_time"] = m.first_crack_time;
+    out["peak_base_shear"] = peak_base_shear(run).value;
     if (!m.series.time.empty()) out["end_time"] = m.series.time.back();
   }
   if (out.value("finished", 0) == 0 && out.contains("end_time")) {

@@ -9,6 +9,7 @@
 #include "geometry/message.h"
 #include "geometry/nth.h"
 #include "io/output/measures/capacity/capacity_file.h"
+#include "io/output/measures/point_accelerations.h"
 
 namespace voussoir::io {
 namespace {
@@ -114,11 +115,13 @@ std::string assessment_text(const Assessment& a, const std::vector<FloorAccelera
   put_storeys(out, a);
   put_cuts(out, a);
   if (points.empty()) return out;
-  out += printed("\n%-24s %13s %13s %13s\n", "acceleration [m/s2]", "x", "y", "z");
-  out += printed("%-24s %13.2f %13.2f %13.2f\n", "base", peak(base.axis[0]), peak(base.axis[1]), peak(base.axis[2]));
+  const bool low_passed = points.front().low_passed;  // all have the same rows
+  out += printed("\n%-24s %13s %13s %13s %13s\n", "acceleration [m/s2]", "x", "y", "z", "horizontal");
+  out += printed("%-24s %13.2f %13.2f %13.2f %13s\n", "base, as recorded", peak(base.axis[0]), peak(base.axis[1]), peak(base.axis[2]), "");
   for (const FloorAcceleration& p : points)
-    out += printed("%-24s %13.2f %13.2f %13.2f\n", p.name.c_str(), peak(p.axis[0]), peak(p.axis[1]), peak(p.axis[2]));
-  return out;
+    out += printed("%-24s %13.2f %13.2f %13.2f %13.2f\n", p.name.c_str(), p.peak[0], p.peak[1], p.peak[2], p.peak_horizontal);
+  return out + (low_passed ? printed("points: below %.0f Hz, as in summary; spectra (--spectra) are not filtered\n", kInstrumentCorner)
+                           : "points: not filtered, since output.history_interval is too long for that\n");
 }
 
 std::string assessment_json(const Assessment& a, const std::vector<FloorAcceleration>& points, const cases::GroundMotion& base,
@@ -165,7 +168,11 @@ std::string assessment_json(const Assessment& a, const std::vector<FloorAccelera
                            {"torsion", json_of(c.torsion)}});
   const auto peaks = [](const auto& axis) { return Json{peak(axis[0]), peak(axis[1]), peak(axis[2])}; };
   out["base_acceleration"] = peaks(base.axis);
-  for (const FloorAcceleration& p : points) out["points"].push_back({{"name", p.name}, {"acceleration", peaks(p.axis)}});
+  for (const FloorAcceleration& p : points)
+    out["points"].push_back({{"name", p.name},
+                             {"acceleration", p.peak},
+                             {"horizontal", p.peak_horizontal},
+                             {"low_pass", p.low_passed ? Json(kInstrumentCorner) : Json(nullptr)}});
   if (capacity) out["capacity"] = Json::parse(capacity_json(*capacity, false));
   return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -12,6 +12,7 @@
 #include "geometry/nth.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/hdf5_file.h"
+#include "io/output/measures/members/peak_base_shear.h"
 #include "solver/run/collapse.h"
 
 namespace voussoir::io {
@@ -127,9 +128,8 @@ void read_cuts(const Hdf5File& run, const cases::Case& c, Assessment& out) {
 }
 
 void read_base_shear(const Hdf5File& run, Assessment& out) {
-  const auto time = run.read<double>("/forces/time"), shear = run.read<double>("/forces/base_shear");
-  if (shear.size() != 3 * time.size()) throw FileError(run.path(), "/forces does not fit together");
-  for (std::size_t i = 0; i < time.size(); ++i) out.base_shear.take(std::hypot(shear[3 * i], shear[3 * i + 1]), time[i]);
+  const PeakBaseShear peak = peak_base_shear(run);
+  out.base_shear = {peak.value, peak.time};
   out.base_shear_over_weight = out.weight > 0 ? out.base_shear.value / out.weight : kNone;
 }
 

@@ -54,7 +54,7 @@ struct CutAssessment {
 struct Assessment {
   double time = 0;    // s, time of the assessed frame
   double weight = 0;  // N, of all elements that are not fixed
-  Peak base_shear;    // N, horizontal, from the rows of /forces
+  Peak base_shear;    // N, horizontal: peak_base_shear; its time is that of the largest row of /forces
   double base_shear_over_weight = 0;
   std::vector<WallAssessment> walls;
   std::vector<std::pair<OpeningCorner, CrackFigures>> corners;  // their z: Building::height_of
