@@ -105,6 +105,7 @@ int assess(const AssessOptions& o) {
   std::fputs((o.json ? assessment_json(a, points, base, capacity) : assessment_text(a, points, base)).c_str(), stdout);
   if (capacity && !o.json) std::fputs(("\ncapacity\n" + capacity_text(*capacity)).c_str(), stdout);
   if (!o.json) std::fputs(loads_text(load_measures(run)).c_str(), stdout);
+  std::fflush(stdout);  // before names of maps, on standard error: both may go to one file
   if (!o.maps.empty()) write_maps(run, c, building, a, o);
   if (!o.spectra.empty()) write_output(spectra, spectra_csv(points, base, o.damping));
   return kDone;

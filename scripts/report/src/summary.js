@@ -20,7 +20,7 @@ export function subtitle({ facts }) {
   return [
     m.direction ? `${m.record}, ${m.direction} along x, y, z` : m.record,
     `scale ${scale}`,
-    m.peak && `peaks ${m.peak.map((a) => a.toFixed(1)).join(", ")} m/s²`,
+    m.peak && `peaks ${m.peak.map((a) => a.toFixed(1)).join(", ")} m/s²${m.until === undefined ? "" : ` up to ${m.until.toFixed(1)} s, where the run ends`}`,
   ].filter(Boolean).join(" · ");
 }
 
