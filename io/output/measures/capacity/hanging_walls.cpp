@@ -33,6 +33,13 @@ double height_now(std::int32_t element, Vec3 at, const std::vector<Pose>& start,
   return nth(poses, element).point(at - nth(start, element).centre).z;
 }
 
+/// Whether a point lies within a wall, as that of a brick at a corner does that is counted to the wall beside.
+bool is_within(const Wall& w, Vec3 at) {
+  for (const std::size_t axis : {0UL, 1UL, 2UL})
+    if (component(at, axis) < w.box.low[axis] - kMeet || component(at, axis) > w.box.high[axis] + kMeet) return false;
+  return true;
+}
+
 std::vector<Gap> gaps_of(const Hdf5File& run, const Building& b, const std::vector<Pose>& start, const std::vector<Pose>& poses) {
   const auto first = run.read<std::int32_t>("/model/joint/element_a"), second = run.read<std::int32_t>("/model/joint/element_b");
   const auto centre = run.read<double>("/model/joint/centre"), normal = run.read<double>("/model/joint/normal");
@@ -47,7 +54,12 @@ std::vector<Gap> gaps_of(const Hdf5File& run, const Building& b, const std::vect
     if (wall < 0) continue;
     const Vec3 at{centre[3 * j], centre[3 * j + 1], centre[3 * j + 2]};
     const double low = height_now(below, at, start, poses), width = height_now(above, at, start, poses) - low;
-    if (width >= HangingWall::kGap && at.z - low >= kSunkBy * width) gaps.push_back({wall, j, width, at.z});
+    if (width < HangingWall::kGap || at.z - low < kSunkBy * width) continue;
+    for (std::int32_t w = 0; w < static_cast<std::int32_t>(b.walls.size()); ++w) {
+      const Wall& beside = nth(b.walls, w);
+      const bool same_storey = beside.house == nth(b.walls, wall).house && beside.storey == nth(b.walls, wall).storey;
+      if (w == wall || (same_storey && is_within(beside, at))) gaps.push_back({w, j, width, at.z});
+    }
   }
   return gaps;
 }
@@ -83,7 +95,8 @@ std::vector<HangingWall> hanging_walls(const Hdf5File& run, const Building& b, c
     for (const Vec3& p : corners[i]) {
       const double along = component(p, 1 - w.across);
       const double at = w.right() > 0 ? along - w.box.low[1 - w.across] : w.box.high[1 - w.across] - along;
-      span = {std::min(span[0], at), std::max(span[1], at)};
+      const double inside = std::clamp(at, 0.0, w.length());
+      span = {std::min(span[0], inside), std::max(span[1], inside)};
     }
     spans[gaps[i].wall].push_back(span);
     HangingWall& h = of_wall[gaps[i].wall];
@@ -92,7 +105,7 @@ std::vector<HangingWall> hanging_walls(const Hdf5File& run, const Building& b, c
   std::vector<HangingWall> out;
   for (auto& [wall, h] : of_wall) {
     const std::vector<Span> all = united(spans[wall]);
-    h.wall = nth(b.walls, wall).name, h.from = std::max(0.0, all.front()[0]), h.to = all.back()[1];
+    h.wall = nth(b.walls, wall).name, h.from = all.front()[0], h.to = all.back()[1];
     for (const Span& s : all) h.length += s[1] - s[0];
     out.push_back(h);
   }

@@ -170,12 +170,17 @@ TEST_CASE("assess: widths of a crack that opens by 1 mm and slides by 2 mm; its 
     CHECK(crack.z[0] == doctest::Approx(kBed));
     CHECK(crack.z[1] == doctest::Approx(kBed));
     CHECK(crack.length == doctest::Approx(i == left ? 2.0 : 2.4));
+    CHECK(crack.extent() == doctest::Approx(i == left ? 2.0 : 2.4));
     CHECK(crack.width == doctest::Approx(f.largest).epsilon(1e-3));
     CHECK(crack.peak == doctest::Approx(f.largest).epsilon(1e-3));
     CHECK(crack.peak_time == 1.0);
     CHECK(crack.at_end == doctest::Approx(0.05e-3).epsilon(2e-2));
   }
   CHECK(nlohmann::json::parse(assessment_json(a, {}, {}))["cracks"].size() == 2);
+  CHECK(assessment_text(a, {}, {}).find("branches, the sum of their lengths") != std::string::npos);
+  Crack net;
+  net.along = {1.0, 4.0}, net.z = {2.0, 6.0}, net.length = 28.0;  // m: branches make it longer than it is wide and high
+  CHECK(net.extent() == doctest::Approx(5.0));
   const std::string map = crack_map(file, "wall", building, 0, a.time, a.joints, a.fallen, a.cracks);
   for (const char* label : {">1: 2.2<", ">2: 2.2<"}) CHECK(count(map, label) == 1);
   const std::string colour = std::string("stroke=\"") + kCrackClasses[2].colour;  // 1 to 5 mm
