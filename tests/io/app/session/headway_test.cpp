@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/app/session/headway.h"
+#include "io/app/session/words/headway.h"
 
 #include <doctest/doctest.h>
 
