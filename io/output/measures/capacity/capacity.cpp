@@ -227,6 +227,8 @@ void look_at_mechanism(const Hdf5File& run, Capacity& c) {
   c.mechanism = has_peak(c) ? parts_from(run, frames, building, c.multiplier_time) : bodies_at(run, frames, building, at);
   c.mechanism_time = times[at];
   c.mechanism_at_end = bodies_at(run, frames, building, frames.frames() - 1);
+  if (c.kind == cases::AnalysisKind::settlement)
+    c.hanging = hanging_walls(run, building, first_poses(frames), poses_of(frames, frames.frames() - 1));
 }
 
 const char* why_ended(const Capacity& c, const cases::Analysis& a, bool collapsed) {

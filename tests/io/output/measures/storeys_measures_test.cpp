@@ -82,6 +82,23 @@ TEST_CASE("walls of storeys and inner walls are walls of their own") {
   CHECK(!lower.inner);
 }
 
+TEST_CASE("heights are above the base, and without a base those of the case, whatever lies below") {
+  const std::string ground = "[[block]]\nname = \"ground\"\nmaterial = \"adobe\"\nfixed = true\nbox = [[0, 0, -0.5], [2.4, 1.6, 0]]\n";
+  std::string no_base = kStoreys + ground, high = kStoreys;
+  no_base.replace(no_base.find("[base]\nz = 0.0\n"), 15, "");
+  high.replace(high.find("z = 0.0"), 7, "z = 3.0");
+  for (const std::string& text : {kStoreys, no_base, high}) {
+    CAPTURE(text);
+    Hut hut(text);
+    hut.frame(0.0, stays);
+    const Measures m = hut.measures();
+    CHECK(wall(m, "rear wall, storey 1").foot == doctest::Approx(0.0));
+    CHECK(wall(m, "rear wall, storey 1").top == doctest::Approx(0.6));
+    CHECK(wall(m, "rear wall, storey 2").foot == doctest::Approx(0.6));
+    CHECK(wall(m, "rear wall, storey 2").top == doctest::Approx(1.0));
+  }
+}
+
 TEST_CASE("rooms are those between the walls of a storey, under its floor") {
   Hut hut(kStoreys);
   hut.frame(0.0, stays);

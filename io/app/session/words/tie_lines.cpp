@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/app/session/tie_lines.h"
+#include "io/app/session/words/tie_lines.h"
 
 #include <algorithm>
 #include <cmath>
