@@ -14,6 +14,7 @@
 #include <tuple>
 #include <utility>
 
+#include "cases/names.h"
 #include "geometry/nth.h"
 #include "io/input/document/case_tree.h"
 #include "io/input/files/errors.h"
@@ -35,7 +36,7 @@ struct Elements {
   std::vector<std::uint8_t> fixed;
 };
 
-/// A number of the case, 0 if not given.
+/// A finite number of the case, 0 if not given. \throw FileError
 double case_number(const Hdf5File& run, std::string_view table, std::string_view key) {
   try {
     const Node document = parse_document(run.attribute_text("/case", "toml"));
@@ -43,12 +44,20 @@ double case_number(const Hdf5File& run, std::string_view table, std::string_view
     const auto* inside = entry == nullptr ? nullptr : entry->node.as<Node::Table>();
     const Entry* number = inside == nullptr ? nullptr : find_entry(*inside, key);
     if (number == nullptr) return 0.0;
-    if (const auto* value = number->node.as<double>()) return *value;
+    if (const auto* value = number->node.as<double>(); value != nullptr && std::isfinite(*value)) return *value;
     if (const auto* value = number->node.as<std::int64_t>()) return static_cast<double>(*value);
-    throw FileError(run.path(), "/case: " + std::string(table) + "." + std::string(key) + " is no number");
+    throw FileError(run.path(), "/case: " + std::string(table) + "." + std::string(key) + " is no finite number");
   } catch (const SyntaxError& e) {
     throw FileError(run.path(), std::string("/case: ") + e.what());
   }
+}
+
+/// Quarters by which the case turns its house. \throw FileError
+int quarter_turns_of(const Hdf5File& run) {
+  const double turn = case_number(run, "house", "turn");
+  for (int quarters = 0; quarters < 4; ++quarters)
+    if (turn == 90.0 * quarters) return quarters;
+  throw FileError(run.path(), "/case: house.turn = " + cases::text(turn) + " degrees; allowed: 0, 90, 180, 270");
 }
 
 /// Whether the case has a table. \throw FileError
@@ -325,7 +334,7 @@ Building building_of(const Hdf5File& run) {
   b.box = boxes_of(run, n);
   b.datum = (b.has_base ? case_number(run, "base", "z") : 0.0) - origin_of_run(run).z;
   b.base = b.has_base ? b.datum : lowest(b.box);
-  find_walls(elements, static_cast<int>(std::lround(case_number(run, "house", "turn") / 90.0)), b);
+  find_walls(elements, quarter_turns_of(run), b);
   find_lintels(elements, b);
   find_rooms(b, has_table(run, "wall"));
   find_covers(elements, b);
