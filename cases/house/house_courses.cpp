@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "cases/house/walls/arches.h"
 #include "cases/house/walls/rubble.h"
@@ -44,10 +45,31 @@ std::vector<Level> levels_of(const House& house, const HousePlan& plan) {
   return levels;
 }
 
-/// Refuses two levels with less than the least course height between them; the later one in the case is at fault.
-InputError too_near(const Level& first, const Level& later, Tick lowest) {
+/// Whether a course may end at this height beside all of these.
+bool fits(Tick at, const std::vector<Tick>& beside, Tick lowest) {
+  return std::ranges::all_of(beside, [&](Tick other) { return other == at || std::abs(other - at) >= lowest; });
+}
+
+/// The value nearest to that of a level that goes with all others, so that faults told together are mended together: first that which ends
+/// the course where `first` does, or makes it as low as it may be; else the nearest. \param beside  heights that stay, or are advised
+Tick advised(const Level& first, const Level& later, const std::vector<Tick>& beside, Tick lowest) {
+  const auto height = [&](Tick value) { return later.at + later.sign * (value - ticks(later.value)); };
   const Tick onto = ticks(later.value) + later.sign * (first.at - later.at);
-  const Tick nearest = later.is_size && onto <= 0 ? lowest : onto;
+  const Tick simple = later.is_size && onto <= 0 ? lowest : onto;
+  if (fits(height(simple), beside, lowest)) return simple;
+  Tick best = simple, way = -1;
+  for (const Tick other : beside) {
+    for (const Tick at : {other, other - lowest, other + lowest}) {
+      const Tick value = ticks(later.value) + later.sign * (at - later.at), on = std::abs(at - later.at);
+      if ((later.is_size && value <= 0) || !fits(at, beside, lowest) || (way >= 0 && on >= way)) continue;
+      best = value, way = on;
+    }
+  }
+  return best;
+}
+
+/// Refuses two levels with less than the least course height between them; the later one in the case is at fault.
+InputError too_near(const Level& first, const Level& later, Tick nearest, Tick lowest) {
   return {later.key, text(later.value) + " m ends a course at " + metres_text(later.at) + " m, " +
                          metres_text(std::abs(later.at - first.at)) + " m from where " +
                          (first.key.empty() ? "the walls begin" : first.key + " ends one") + "; a course of cut bricks is at least " +
@@ -58,6 +80,7 @@ InputError too_near(const Level& first, const Level& later, Tick lowest) {
 
 std::vector<Level> kept_levels(const std::vector<Level>& levels, Tick lowest, Faults& faults) {
   std::vector<Level> good;
+  std::vector<std::pair<Level, Level>> bad;  // with the good one that is too near
   for (const Level& level : levels) {
     const auto near = std::ranges::find_if(good, [&](const Level& earlier) {
       const Tick apart = std::abs(level.at - earlier.at);
@@ -66,7 +89,14 @@ std::vector<Level> kept_levels(const std::vector<Level>& levels, Tick lowest, Fa
     if (near == good.end())
       good.push_back(level);
     else
-      faults.add(too_near(*near, level, lowest));
+      bad.emplace_back(*near, level);
+  }
+  std::vector<Tick> beside;
+  for (const Level& level : good) beside.push_back(level.at);
+  for (const auto& [near, level] : bad) {
+    const Tick value = advised(near, level, beside, lowest);
+    beside.push_back(level.at + level.sign * (value - ticks(level.value)));
+    faults.add(too_near(near, level, value, lowest));
   }
   return good;
 }

@@ -45,7 +45,7 @@ class Finder {
       }
     }
     for (const auto& [a, b] : pairs) find_ends(a, b), find_ends(b, a);
-    for (const auto& [a, b] : pairs) faults.attempt([&] { meet(a, b); });
+    for (const auto& pair : pairs) faults.attempt([&] { meet(pair.first, pair.second); });
     faults.raise();
     share_places();
     for (Leg& l : plan_.legs) std::ranges::sort(l.stations, {}, [](const Station& s) { return s.low.at; });
@@ -190,8 +190,8 @@ class Finder {
     std::map<std::size_t, std::vector<std::size_t>> of_place;
     for (std::size_t m = 0; m < plan_.meetings.size(); ++m) of_place[places.of(m)].push_back(m);
     Faults faults;
-    for (const auto& [first, all] : of_place) {
-      if (all.size() > 1) faults.attempt([&] { take_turns(all); });
+    for (const auto& place : of_place) {
+      if (place.second.size() > 1) faults.attempt([&] { take_turns(place.second); });
     }
     faults.raise();
     for (std::size_t i = 0; i < plan_.legs.size(); ++i) {

@@ -178,12 +178,10 @@ bool LoadProgram::is_over(const World& w) const {
               ? state_.mean_factor < left * state_.most_factor
               : state_.mean_factor < (1.0 - 0.5 * analysis_.drop) * state_.most_factor && state_.shear < left * state_.most_shear;
       const bool dropped = softer && state_.target > drive_.first && !is_noise();
-      return dropped || state_.factor >= analysis_.largest_factor || control_displacement(w) >= analysis_.largest_drift * height_;
+      return dropped || state_.factor >= analysis_.largest_factor || control_displacement(w) >= largest_displacement();
     }
-    case AnalysisKind::cyclic: {
-      const auto whole = 2 * static_cast<std::size_t>(analysis_.cycles) * analysis_.amplitudes.size();
-      return static_cast<std::size_t>(state_.half_cycles) >= whole && state_.moved >= 0.0;
-    }
+    case AnalysisKind::cyclic:
+      return half_cycles() >= whole_half_cycles() && state_.moved >= 0.0;
     default:
       return false;
   }
@@ -212,6 +210,12 @@ void LoadProgram::rest_at(const World& w, double base_shear, std::int64_t step) 
   state_.most_shear = std::max(state_.most_shear, state_.shear), state_.most_factor = std::max(state_.most_factor, state_.factor);
   if (analysis_.kind == AnalysisKind::cyclic) turn_round();
   if (analysis_.kind != AnalysisKind::settlement && is_over(w)) end_at(step);
+}
+
+double LoadProgram::share_of_largest() const noexcept {
+  const bool by_factor = analysis_.kind == AnalysisKind::tilt || no_shear_;
+  const double now = by_factor ? state_.mean_factor : state_.shear, most = by_factor ? state_.most_factor : state_.most_shear;
+  return most > 0.0 ? now / most : 1.0;
 }
 
 double LoadProgram::way_left() const noexcept {

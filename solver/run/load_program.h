@@ -61,6 +61,15 @@ class LoadProgram {
   /// The element whose displacement is that of the capacity curve.
   [[nodiscard]] std::int32_t control() const noexcept { return control_; }
   [[nodiscard]] double factor() const noexcept { return state_.factor; }
+  /// The load now over its largest so far: base shear, or the load factor of a tilt and where no base shear grows; 1 before there is any.
+  [[nodiscard]] double share_of_largest() const noexcept;
+  /// Reversals of the cycles so far, and in all (cyclic).
+  [[nodiscard]] std::int64_t half_cycles() const noexcept { return static_cast<std::int64_t>(state_.half_cycles); }
+  [[nodiscard]] std::int64_t whole_half_cycles() const noexcept {
+    return 2 * std::int64_t{analysis_.cycles} * static_cast<std::int64_t>(analysis_.amplitudes.size());
+  }
+  /// Displacement of the control point at which the analysis ends [m]: analysis.largest_drift of its height.
+  [[nodiscard]] double largest_displacement() const noexcept { return analysis_.largest_drift * height_; }
   /// Body acceleration in addition to gravity at this step, and its mean over the last interval [m/s2].
   [[nodiscard]] Vec3 acceleration() const noexcept { return field(state_.factor); }
   [[nodiscard]] Vec3 mean_acceleration() const noexcept { return 0.5 * (field(state_.factor) + field(state_.factor_before)); }

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstring>
+#include <span>
 #include <string>
 #include <unordered_set>
 #include <vector>
@@ -32,7 +34,7 @@ class Scribe {
 
   Image write() {
     root();
-    text_dataset();
+    texts("/case/toml", {"title = \"" + word() + "\"\n"});
     for (const char* axis : {"/motion/x", "/motion/y", "/motion/z"}) {
       dataset(axis, io::Hdf5Type::f64, {2});
       attribute(axis, "dt", mark());
@@ -46,11 +48,17 @@ class Scribe {
     dataset("/state/damage", io::Hdf5Type::i64, {2});
     dataset("/state/point_face", io::Hdf5Type::i32, {4});
     dataset("/state/side_quick", io::Hdf5Type::u8, {8});
+    texts("/stones/texts", {word(), word()});
+    dataset("/stones/numbers", io::Hdf5Type::i32, {kStone.size()}, kStone.data());
+    dataset("/stones/vertices", io::Hdf5Type::f64, {12});
     return find_marks();
   }
   [[nodiscard]] std::size_t objects() const { return at_; }
 
  private:
+  /// A tetrahedron with one bed in one group (io/output/results/checkpoint_stones.h).
+  static constexpr std::array<std::int32_t, 25> kStone{1, 1, 0, 1, 1, 4, 4, 1, 0, 3, 0, 2, 1, 3, 0, 1, 3, 3, 1, 2, 3, 3, 0, 3, 2};
+
   void root() {
     attribute("/", "format", std::string("voussoir checkpoint"));
     attribute("/", "physics_version", solver::kPhysicsVersion);
@@ -89,19 +97,19 @@ class Scribe {
     }
   }
 
-  void text_dataset() {
-    const std::string name = "/case/toml";
+  /// \param list  of one text at least
+  void texts(const std::string& name, std::vector<std::string> list) {
     const Fault f = fault();
     if (f == Fault::missing) return;
     if (f == Fault::group) return file_.make_group(name);
     if (f == Fault::floats || f == Fault::scalar) return fill(name, io::Hdf5Type::f64, f == Fault::scalar ? io::Shape{} : io::Shape{3});
-    std::vector<std::string> texts{"title = \"" + word() + "\"\n"};
-    if (f == Fault::empty) texts.clear();
-    if (f == Fault::longer) texts.push_back(word());
-    file_.write_strings(name, texts);
+    if (f == Fault::empty) list.clear();
+    if (f == Fault::longer) list.push_back(word());
+    file_.write_strings(name, list);
   }
 
-  void dataset(const std::string& name, io::Hdf5Type type, io::Shape shape) {
+  /// \param values  that a dataset without fault has; none: marks
+  void dataset(const std::string& name, io::Hdf5Type type, io::Shape shape, const void* values = nullptr) {
     switch (fault()) {
       case Fault::missing:
         return;
@@ -126,6 +134,7 @@ class Scribe {
         shape[0] += 1;
         break;
       case Fault::none:
+        if (values != nullptr) return file_.write_dataset(name, type, shape, values);
         break;
     }
     fill(name, type, shape);
@@ -154,6 +163,10 @@ class Scribe {
     Image image{io::test::bytes_of(memory_.path()), {}};
     for (std::size_t at = 0; at + 8 <= image.bytes.size(); ++at)
       if (wanted.contains(eight_bytes(image.bytes.data() + at))) image.places.push_back(at);
+    const auto stone = std::as_bytes(std::span(kStone));
+    const auto found = std::search(image.bytes.begin(), image.bytes.end(), stone.begin(), stone.end());
+    for (std::size_t at = 0; found != image.bytes.end() && at + 8 <= stone.size(); at += 4)
+      image.places.push_back(static_cast<std::size_t>(found - image.bytes.begin()) + at);
     return image;
   }
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,22 +14,16 @@
 #include "cases/case.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/sealed_pages.h"
-#include "io/output/assess/assess_words.h"
-#include "io/output/assess/crack_map.h"
-#include "io/output/measures/capacity/capacity_file.h"
-#include "io/output/measures/compared_measures.h"
-#include "io/output/measures/measures_file.h"
-#include "io/output/measures/place_in_run.h"
 #include "io/output/replay/run_file.h"
 #include "io/output/report/paraview_files.h"
-#include "io/output/report/report_data.h"
-#include "io/output/results/case_of_run.h"
-#include "io/output/results/comparison.h"
 #include "tests/fuzz/run_image.h"
+#include "tests/fuzz/run_readers.h"
+#include "tests/io/bytes_of.h"
 #include "tests/io/sample_runs.h"
 
-// Results of a run behind a seal that holds: a sample, changed by the input (run_image.h), sealed again and read by one of the readers. The
-// first byte chooses the sample and the reader; an input of that byte alone changes nothing and is read by all.
+// Results of a run behind a seal that holds: a sample, changed by the input (run_image.h), sealed again and read by one of the readers
+// (run_readers.h). The first byte chooses: four bits the sample, three the reader; above 127 bytes of the sealed file are changed in place
+// of what is in it. An input of that byte alone changes nothing and is read by all.
 
 namespace {
 
@@ -72,43 +66,28 @@ void tried(Read read) {
   }
 }
 
-std::string summary(const io::Hdf5File& run) {
-  const io::Measures m = io::measure(run);
-  const auto capacity = io::capacity_of(run);
-  auto out = nlohmann::json::parse(io::measures_json(m));
-  if (capacity) out["capacity"] = nlohmann::json::parse(io::capacity_json(*capacity, true)), io::capacity_text(*capacity);
-  if (!m.series.time.empty()) io::place_in_run(io::case_of_run(run), m.series.time.back());
-  return out.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
-void assess(const io::Hdf5File& run) {
-  const cases::Case c = io::case_of_run(run);
-  const io::Building building = io::building_of(run);
-  const io::Assessment a = io::assess(run, c, building, std::nullopt, {});
-  const cases::GroundMotion base = io::base_of_run(run, c);
-  std::vector<std::string> names;
-  for (const cases::HistoryPoint& h : c.output.history) names.push_back(h.name);
-  const auto points = io::floor_accelerations(run, names, base);
-  if (nlohmann::json::parse(io::assessment_json(a, points, base)).empty()) std::abort();
-  io::assessment_text(a, points, base);
-  for (std::size_t w = 0; w < building.walls.size(); ++w)
-    io::crack_map(run, c.title, building, static_cast<std::int32_t>(w), a.time, a.joints, a.fallen, a.cracks);
-}
+enum class Parts : std::uint8_t { none, kept, spoilt, lost };
 
 /// A run to spoil, with a good one to compare it with.
 class Sample {
  public:
-  /// \param part  bytes of parts/0000.h5, empty: all rows are in run.h5 \param spoils_part  inputs change the part, not run.h5
+  /// \param part  bytes of parts/0000.h5, empty: all rows are in run.h5 \param parts  spoilt: inputs change the part, not run.h5; lost: it
+  /// is not beside the run to spoil
   Sample(const std::filesystem::path& folder, std::span<const std::byte> run, std::span<const std::byte> part = {},
-         bool spoils_part = false)
-      : bad_(folder / "bad"), good_(folder / "good/run.h5"), spoils_part_(spoils_part) {
+         Parts parts = Parts::none)
+      : bad_(folder / "bad"), good_(folder / "good/run.h5"), spoils_part_(parts == Parts::spoilt) {
     for (const char* name : {"bad", "good"}) {
       write(folder / name / "run.h5", run);
       if (!part.empty()) write(folder / name / kPart, part);
     }
+    write(bad_ / ".lock", std::as_bytes(std::span("1\n", 2)));  // as a run leaves it; the good one is a copy
     run_.emplace(good_);
-    if (spoils_part) part_.emplace(folder / "good" / kPart);
-    summary_ = summary(io::open_run(good_));
+    if (spoils_part_) part_.emplace(folder / "good" / kPart);
+    if (parts == Parts::lost) std::filesystem::remove(bad_ / kPart);
+    const io::Hdf5File good = io::open_run(good_);
+    summary_ = fuzz::summary(good);
+    bad_summary_ = fuzz::summary(io::open_run(bad_));
+    modes_ = good.shape("/model/element/mass").at(0);
   }
 
   void spoil(std::span<const std::uint8_t> edits) const {
@@ -119,26 +98,55 @@ class Sample {
       write_sealed(*run_, run, edits, {});
   }
 
-  static constexpr unsigned kReaders = 6;
-  /// \param reader  below kReaders
-  void read(unsigned reader) const {
+  /// Changes bytes of the sealed file. \return whether it is another one then
+  [[nodiscard]] bool damage(std::span<const std::uint8_t> edits) const {
+    spoil({});
+    const std::filesystem::path file = spoils_part_ ? bad_ / kPart : bad_ / "run.h5";
+    std::vector<std::byte> bytes = io::test::bytes_of(file);
+    const std::vector<std::byte> good = bytes;
+    for (; edits.size() >= fuzz::kEdit; edits = edits.subspan(fuzz::kEdit)) {
+      const std::size_t place = edits[3] + 256U * edits[4] + 65536U * edits[5];
+      bytes[place % bytes.size()] ^= std::byte{edits[6]};
+    }
+    write(file, bytes);
+    return bytes != good;
+  }
+  [[nodiscard]] bool sealed() const { return run_->sealed(); }
+
+  static constexpr unsigned kReaders = 8;
+  /// \param reader  below kReaders \param edits  of limit.json
+  void read(unsigned reader, std::span<const std::uint8_t> edits) const {
     const std::string run = bad_ / "run.h5";
     switch (reader) {
       case 0:
-        return tried([&] { io::measures_beside(summary(io::open_run(bad_)), summary_); });
+        return tried([&] { fuzz::summary(io::open_run(bad_)); });
       case 1:
-        return tried([&] { assess(io::open_run(run)); });
+        return tried([&] { fuzz::assess(io::open_run(run)); });
       case 2:
-        return tried([&] { io::report_data(run); });
+        return tried([&] { fuzz::report(run, modes_); });
       case 3:
-        return tried([&] { io::compare_files(run, good_); });
+        return tried([&] { fuzz::compare(run, good_, summary_); });
       case 4:
         return tried([&] { io::check_run(bad_); });
-      default:
+      case 5:
         return tried([&] { io::write_paraview(bad_, true); });
+      case 6:
+        return tried([&] { fuzz::assess_demand(io::open_run(run), edits.size()); });
+      default:
+        return tried([&] { fuzz::report_with_limit(run, edits); });
     }
   }
   void open() const { io::open_run(bad_); }
+  /// The summary of the changed run, which is that of the good one, or a refusal: whatever else comes out ends this.
+  void read_damaged() const {
+    tried([&] {
+      if (fuzz::summary(io::open_run(bad_)) != bad_summary_) std::abort();
+    });
+    tried([&] {
+      io::check_run(bad_);
+      std::abort();  // it reads all
+    });
+  }
 
  private:
   static constexpr const char* kPart = "parts/0000.h5";
@@ -154,10 +162,13 @@ class Sample {
   std::string good_;
   bool spoils_part_;
   std::optional<fuzz::RunImage> run_, part_;
-  std::string summary_;
+  std::string summary_, bad_summary_;  // of the good run; of the other before it is spoilt
+  std::size_t modes_ = 0;
 };
 
-/// One of each schema, the newest last; then a pushover, a cyclic test, a run whose rows are in a part, and that part.
+constexpr std::size_t kMostSamples = 16;
+
+/// One of each schema, the newest last; then those of samples/. New ones come last: inputs of corpora choose by number.
 std::vector<Sample> samples(const Folder& folder) {
   std::vector<Sample> all;
   const auto next = [&] { return folder.path() / std::to_string(all.size()); };
@@ -166,7 +177,11 @@ std::vector<Sample> samples(const Folder& folder) {
     return io::test::unpacked(VOUSSOIR_SOURCE_DIR "/tests/fuzz/samples/" + name + ".h5.gz");
   };
   for (const char* name : {"pushover", "cyclic"}) all.emplace_back(next(), kept(name));
-  for (const bool spoils_part : {false, true}) all.emplace_back(next(), kept("parted"), kept("parted-0000"), spoils_part);
+  for (const Parts parts : {Parts::kept, Parts::spoilt}) all.emplace_back(next(), kept("parted"), kept("parted-0000"), parts);
+  for (const char* name : {"storeys", "rest", "settlement", "lost", "slides", "long", "level"}) all.emplace_back(next(), kept(name));
+  all.emplace_back(next(), kept("parted"), kept("parted-0000"), Parts::lost);
+  all.emplace_back(next(), kept("stopped"), kept("stopped-0000"), Parts::kept);
+  if (all.size() > kMostSamples) std::abort();
   return all;
 }
 
@@ -176,10 +191,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const Folder folder;
   static const std::vector<Sample> all = samples(folder);
   if (size < 1) return 0;
-  const Sample& sample = all[data[0] % all.size()];
-  sample.spoil({data + 1, size - 1});
-  if (size > 1) return sample.read(static_cast<unsigned>(data[0] / all.size()) % Sample::kReaders), 0;
+  const Sample& sample = all[data[0] % kMostSamples % all.size()];
+  const unsigned reader = data[0] / kMostSamples % Sample::kReaders;
+  const std::span<const std::uint8_t> edits(data + 1, size - 1);
+  if (data[0] >= kMostSamples * Sample::kReaders && sample.sealed()) {
+    if (sample.damage(edits)) sample.read_damaged();
+    return 0;
+  }
+  const bool of_limit = reader + 1 == Sample::kReaders;
+  sample.spoil(of_limit ? std::span<const std::uint8_t>() : edits);
+  if (size > 1) return sample.read(reader, edits), 0;
   sample.open();  // unchanged: whatever is thrown ends this, since nothing would be read otherwise
-  for (unsigned reader = 0; reader < Sample::kReaders; ++reader) sample.read(reader);
+  for (unsigned r = 0; r < Sample::kReaders; ++r) sample.read(r, edits);
   return 0;
 }

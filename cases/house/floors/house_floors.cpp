@@ -151,12 +151,9 @@ FloorPlan lay_beams(const House& house, std::size_t index, const HousePlan& plan
   return laid;
 }
 
-/// \return the floor, with the pockets of its beams in the walls
-FloorPlan plan_floor(const House& house, std::size_t i, HousePlan& plan) {
+/// Adds the pockets of a floor's beams to the walls.
+void add_pockets(const House& house, std::size_t i, const FloorPlan& laid, HousePlan& plan) {
   const Floor& floor = house.floors[i];
-  check_storey(house, i);
-  check_walls(house, i, plan);
-  FloorPlan laid = lay_beams(house, i, plan);
   for (WallPlan& wall : plan.walls) {
     if (wall.storey != floor.storey - 1) continue;
     const std::optional<Interval> depth = pocket_depth(floor, i, wall, plan);
@@ -165,7 +162,6 @@ FloorPlan plan_floor(const House& house, std::size_t i, HousePlan& plan) {
       for (const Interval beam : room) add_pocket(house, {beam, laid.height, 0, false, *depth, static_cast<std::int32_t>(i)}, wall, plan);
     }
   }
-  return laid;
 }
 
 }  // namespace
@@ -180,7 +176,13 @@ void plan_floors(const House& house, HousePlan& plan) {
   plan.floors.clear();
   for (std::size_t i = 0; i < house.floors.size(); ++i) {
     FloorPlan& laid = plan.floors.emplace_back();
-    plan.faults.attempt([&] { laid = plan_floor(house, i, plan); });
+    const bool lies = plan.faults.attempt([&] {
+      check_storey(house, i);
+      check_walls(house, i, plan);
+      laid = lay_beams(house, i, plan);
+    });
+    // Faults of pockets are told beside those of the courses, which the beams decide.
+    if (lies) plan.faults.attempt([&] { add_pockets(house, i, laid, plan); });
   }
 }
 

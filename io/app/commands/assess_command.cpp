@@ -35,7 +35,7 @@ namespace {
 struct AssessOptions {
   std::string folder;                 // of the run
   std::optional<double> time;         // s, of cracks and current values; none: the last frame
-  std::vector<double> levels;         // m above the base, of storeys; none: foot and top of the walls
+  std::vector<double> levels;         // m, of storeys, as Building::height_of; none: foot and top of the walls
   std::vector<double> damping{0.05};  // of the spectra
   std::string maps, spectra;          // folder for crack maps; CSV file for spectra; empty: none
   std::string demand;                 // spectrum to compare the capacity of a pushover with; empty: that of the case
@@ -105,6 +105,7 @@ int assess(const AssessOptions& o) {
   std::fputs((o.json ? assessment_json(a, points, base, capacity) : assessment_text(a, points, base)).c_str(), stdout);
   if (capacity && !o.json) std::fputs(("\ncapacity\n" + capacity_text(*capacity)).c_str(), stdout);
   if (!o.json) std::fputs(loads_text(load_measures(run)).c_str(), stdout);
+  std::fflush(stdout);  // before names of maps, on standard error: both may go to one file
   if (!o.maps.empty()) write_maps(run, c, building, a, o);
   if (!o.spectra.empty()) write_output(spectra, spectra_csv(points, base, o.damping));
   return kDone;
@@ -120,7 +121,9 @@ Command add_assess(CLI::App& program) {
   auto o = std::make_shared<AssessOptions>();
   words->add_option("DIR", o->folder, "folder of the run, finished or not")->required();
   words->add_option("--time", o->time, "s, of cracks: the frame nearest to it (default: the last)")->check(number_range(-1e9, 1e9));
-  words->add_option("--levels", o->levels, "heights of storeys above the base, m: Z,Z,... (default: those of the house)")
+  words
+      ->add_option("--levels", o->levels,
+                   "heights of storeys above the base (without one, z of the case), m: Z,Z,... (default: those of the house)")
       ->delimiter(',')
       ->check(number_range(-1e7, 1e7));
   words->add_option("--maps", o->maps, "write a crack map of every wall into this folder, as SVG");

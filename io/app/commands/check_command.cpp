@@ -31,7 +31,7 @@
 #include "io/app/session/prepared_case.h"
 #include "io/app/session/progress.h"
 #include "io/app/session/run_extent.h"
-#include "io/app/session/tie_lines.h"
+#include "io/app/session/words/tie_lines.h"
 #include "io/input/case_file/catalogue.h"
 #include "io/input/files/output_path.h"
 #include "io/input/motion/motion_files.h"

@@ -261,7 +261,11 @@ Command add_limit(CLI::App& program) {
   words->add_flag("--quiet", w->o.quiet, "no progress");
   words->footer("A case with loads that grow has these as live load.\nexample: voussoir limit flat20n --associated");
   return {.words = words,
-          .work = [w] { return with_case(w->c, [w](const auto& c) { return limit(c, w->o, w->c.threads); }); },
+          .work =
+              [w] {
+                return with_case(
+                    w->c, [w](const auto& c) { return limit(c, w->o, w->c.threads); }, Fill::stones);
+              },
           .threads = &w->c.threads};
 }
 

@@ -22,6 +22,7 @@
 #include "io/output/measures/chance.h"
 #include "io/output/measures/measures_file.h"
 #include "io/output/measures/members/member_words.h"
+#include "io/output/measures/members/peak_base_shear.h"
 #include "io/output/measures/place_in_run.h"
 #include "io/output/replay/run_file.h"
 #include "io/output/replay/run_state.h"
@@ -53,6 +54,7 @@ Json summary_of(const Hdf5File& run, const Measures& m, const std::optional<Capa
     out["collapsed"] = std::int64_t{m.collapsed};
     out["fallen_mass_fraction"] = m.fallen_mass_fraction;
     out["first_crack_time"] = m.first_crack_time;
+    out["peak_base_shear"] = peak_base_shear(run).value;
     if (!m.series.time.empty()) out["end_time"] = m.series.time.back();
   }
   if (out.value("finished", 0) == 0 && out.contains("end_time")) {
@@ -72,6 +74,11 @@ std::string text(const char* format, double value, const char* none = "-") {
   return geometry::printed(format, value);
 }
 std::string percent(double value) { return text("%.1f %%", 100 * value); }
+/// A drift in hundredths of a per cent, of which codes have limits of some tens; without the sign of a zero.
+std::string drift(double value) {
+  const std::string shown = text("%.2f %%", 100 * value);
+  return shown == "-0.00 %" ? shown.substr(1) : shown;
+}
 std::string seconds(double time) { return time < 0 ? "never" : text("%.3f s", time); }
 
 void line(const char* name, const std::string& value) { std::printf("%-21s%s\n", name, value.c_str()); }
@@ -124,6 +131,19 @@ void print_penetration(const Measures& m) {
   line_of_chance(m, "touching", std::to_string(m.touching_pairs) + " pairs at the end");
 }
 
+/// Prints the worst drift along a wall and the worst out of its plane, of walls and gables.
+void print_drifts(const Measures& m) {
+  const std::string along = m.peak_storey_drift_wall.empty() ? "" : ", along the " + m.peak_storey_drift_wall;
+  line_of_chance(m, "storey drift", drift(m.peak_storey_drift) + " at most" + along);
+  line_of_chance(m, "in-plane drift", drift(m.peak_in_plane_drift) + " at most, of any metre of a wall's top");
+  const bool gable = m.peak_gable_drift > m.peak_drift || (std::isnan(m.peak_drift) && !m.peak_gable.empty());
+  const std::string& part = gable ? m.peak_gable : m.peak_drift_wall;
+  const std::string of = part.empty() ? "" : ", of the " + part, walls = gable ? "; of walls " + drift(m.peak_drift) : "";
+  line_of_chance(m, "out-of-plane drift",
+                 drift(gable ? m.peak_gable_drift : m.peak_drift) + " at most" + of + walls + "; at the end " + drift(m.residual_drift) +
+                     (gable ? " of walls" : ""));
+}
+
 /// Prints breaks due to the building's own weight, and breaks due to what came after.
 void print_origin(const Json& s, const Measures& m) {
   if (m.settling_cracks == 0) return line("broken by settling", "nothing; afterwards " + std::to_string(m.shaking_cracks) + " segments");
@@ -142,8 +162,8 @@ void print_walls(const Measures& m) {
               "cracks 1 mm", "of 5 mm", "of settling");
   for (const WallMeasures& w : m.walls)
     std::printf("%-*s %8s %12s %11s %10s %9s %12s %12s %12s\n", indent, w.name.c_str(), percent(w.fallen_mass_fraction).c_str(),
-                seconds(w.first_fallen_time).c_str(), percent(w.peak_drift).c_str(), percent(w.residual_drift).c_str(),
-                percent(w.peak_in_plane_drift).c_str(), text("%.2f", w.crack_extent).c_str(), text("%.2f", w.large_crack_extent).c_str(),
+                seconds(w.first_fallen_time).c_str(), drift(w.peak_drift).c_str(), drift(w.residual_drift).c_str(),
+                drift(w.peak_in_plane_drift).c_str(), text("%.2f", w.crack_extent).c_str(), text("%.2f", w.large_crack_extent).c_str(),
                 text("%.2f", w.settling_crack_extent).c_str());
   if (!std::isnan(m.roof_fallen_mass_fraction))
     std::printf("%-*s %8s %12s\n", indent, "roof", percent(m.roof_fallen_mass_fraction).c_str(), seconds(m.roof_first_fallen_time).c_str());
@@ -184,10 +204,7 @@ void print_table(const Json& s, const Measures& m) {
                      text("%.2f m", m.debris.reach_95));
   line_of_chance(m, "free volume",
                  percent(m.free_volume) + " of " + text("%.2f m3", m.initial_free_volume) + ", least " + percent(m.least_free_volume));
-  line_of_chance(m, "out-of-plane drift", percent(m.peak_drift) + " at most, " + percent(m.residual_drift) + " at the end");
-  line_of_chance(m, "in-plane drift", percent(m.peak_in_plane_drift) + " at most");
-  if (!m.peak_storey_drift_wall.empty())
-    line_of_chance(m, "storey drift", text("%.2f %%", 100 * m.peak_storey_drift) + " at most, along the " + m.peak_storey_drift_wall);
+  print_drifts(m);
   print_seats(m);
   print_penetration(m);
   print_modes(s);

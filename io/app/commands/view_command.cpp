@@ -159,7 +159,7 @@ Command add_view(CLI::App& program) {
           .work =
               [w] {
                 return with_case(
-                    w->c, [w](const auto& c) { return view_command(c, w->o, w->c.threads); }, true);
+                    w->c, [w](const auto& c) { return view_command(c, w->o, w->c.threads); }, Fill::none);
               },
           .threads = &w->c.threads};
 }

@@ -116,9 +116,15 @@ void look_at_intensity(const cases::Motion& m, const cases::GroundMotion& motion
     if (last + 1.0 < static_cast<double>(h.acceleration.size())) h.acceleration.resize(static_cast<std::size_t>(last) + 1);
   }
   const double reached = intensity(*m.intensity, horizontal[0], horizontal[1]);
-  if (reached < kMostOfLevel * m.intensity->level)
-    out.push_back("motion.intensity: the whole record has " + described(*m.intensity) + ", but up to the end of the run, at " +
-                  four_digits(duration) + " s, it is " + four_digits(reached) + "; motion.to cuts the record before it is measured");
+  if (reached >= kMostOfLevel * m.intensity->level) return;
+  std::string by_axis;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t k = component_along(m, axis);
+    if (k < 2) by_axis += (by_axis.empty() ? "" : ", ") + four_digits(intensity(*m.intensity, horizontal[k], {})) + " along " + kAxes[axis];
+  }
+  out.push_back("motion.intensity: the whole record has " + described(*m.intensity) + ", but up to the end of the run, at " +
+                four_digits(duration) + " s, it is " + four_digits(reached) + " (" + by_axis +
+                "); motion.to cuts the record before it is measured");
 }
 
 void look_at_motion(const cases::Case& c, const cases::GroundMotion& motion, std::vector<std::string>& out) {
@@ -165,8 +171,9 @@ void look_at_rafters(const LoadedCase& c, std::vector<std::string>& out) {
   if (a.kind != cases::AnalysisKind::pushover && a.kind != cases::AnalysisKind::tilt) return;
   if (!c.value.house || c.value.house->roof.kind != cases::RoofKind::pitched || c.value.house->roof.deck) return;
   out.push_back(c.describe(cases::InputError(
-      "house.roof.kind", "= \"pitched\" without house.roof.deck: nothing but their feet holds the rafters along the ridge, so a push that has "
-                         "a part along it may find the load at which they tip, not that of the house")));
+      "house.roof.kind",
+      "= \"pitched\" without house.roof.deck: nothing but their feet holds the rafters along the ridge, so a push that has "
+      "a part along it may find the load at which they tip, not that of the house")));
 }
 
 }  // namespace

@@ -58,8 +58,9 @@ std::string format_progress(const ProgressState& state, double steps_per_second,
   std::string line = state.settling ? printed("settling, %.3f s", state.time) : printed("%.3f of %g s", state.time, state.end_time);
   const bool at_rest = state.states >= 0;  // nobody knows how many more there will be
   if (at_rest)
-    line = printed("%lld states of rest, load factor %.4f, unbalanced %.1e", static_cast<long long>(state.states), state.factor,
-                   state.unbalanced);
+    line = printed("%lld states of rest, ", static_cast<long long>(state.states)) +
+           (state.headway.empty() ? printed("load factor %.4f", state.factor) : state.headway) +
+           printed(", unbalanced %.1e", state.unbalanced);
   const auto speed = static_cast<std::int64_t>(std::llround(std::min(steps_per_second, 1e15)));
   line += "  " + (steps_per_second < 10 ? printed("%.2g", steps_per_second) : format_count(speed)) + " steps/s";
   if (!at_rest) line += "  " + (seconds_left ? format_duration(*seconds_left) + " left" : std::string("time left unknown"));

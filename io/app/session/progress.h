@@ -19,6 +19,7 @@ struct ProgressState {
   double residual = 0;                // relative residual of the energy balance
   std::int64_t states = -1;           // of rest so far; -1: the run has none
   double factor = 0, unbalanced = 0;  // load factor, and how far from rest
+  std::string headway{};              // of states of rest: how far the analysis is, and what ends it (headway.h)
 };
 
 /// Speed of the run over about the last ten seconds, with decaying memory since it changes during a collapse.
@@ -45,7 +46,8 @@ class RateEstimate {
 std::string format_count(std::int64_t n);
 /// A duration to two units: "42 s", "3 min 20 s", "2 h 05 min", "3 d 04 h". Below a second "0 s".
 std::string format_duration(double seconds);
-/// The line of progress without line end: "3.214 of 10 s 12,345 steps/s 2 min 10 s left 1,234 broken residual 1.2e-06".
+/// The line of progress without line end: "3.214 of 10 s 12,345 steps/s 2 min 10 s left 1,234 broken energy error 1.2e-06"; of states of
+/// rest "12 states of rest, HEADWAY, unbalanced 3.0e-04 12,345 steps/s ...".
 std::string format_progress(const ProgressState& state, double steps_per_second, std::optional<double> seconds_left);
 
 /// Writes the progress of one run to a stream: on a terminal one line that is overwritten, elsewhere a line at intervals.

@@ -15,8 +15,9 @@
 #include "io/app/session/process.h"
 #include "io/app/session/progress.h"
 #include "io/app/session/stop_words.h"
-#include "io/app/session/tie_lines.h"
 #include "io/app/session/views.h"
+#include "io/app/session/words/headway.h"
+#include "io/app/session/words/tie_lines.h"
 #include "io/input/files/errors.h"
 #include "io/output/measures/capacity/capacity_file.h"
 #include "io/output/measures/capacity/light_elements.h"
@@ -67,7 +68,8 @@ void print_summary(const solver::Summary& s, std::uint64_t hash, const std::stri
   std::printf("peak speed           %.2f m/s\n", s.peak_speed);
   std::printf("energy error         %.2g at worst, of all energy\n", s.worst_residual);
   std::printf("state hash           %016llx\n", static_cast<unsigned long long>(hash));
-  if (!s.settled && s.end_time >= 0.0) std::printf("warning              the structure did not come to rest under gravity before it was shaken or loaded\n");
+  if (!s.settled && s.end_time >= 0.0)
+    std::printf("warning              the structure did not come to rest under gravity before it was shaken or loaded\n");
   std::printf("results              %s/run.h5 (to %.3f s)\n", folder.c_str(), s.end_time);
 }
 
@@ -125,7 +127,9 @@ class Watch {
   /// Called after each step. \return false to stop
   bool look(const solver::RunStatus& s) {
     const double now = wall();
-    progress_.update({s.time, s.end, s.settling, s.step, s.broken, s.residual, s.states, s.factor, s.unbalanced}, now);
+    progress_.update(
+        {s.time, s.end, s.settling, s.step, s.broken, s.residual, s.states, s.factor, s.unbalanced, s.states < 0 ? "" : headway(sim_)},
+        now);
     if (settling_ && !s.settling) warn_of_settling();
     settling_ = s.settling;
     const bool stop = stop_signal != 0;

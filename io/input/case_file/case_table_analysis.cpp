@@ -91,8 +91,9 @@ Table<Analysis> analysis_table() {
            "[motion] out"),
        choice<S, std::optional<Solver> S::*, Solver>(
            "solver", &S::solver, "", {{"dynamics", Solver::dynamics}, {"equilibrium", Solver::equilibrium}},
-           "of all kinds but time-history. equilibrium: each row is a state of rest, found by relaxation; dynamics: the structure moves "
-           "slowly, so the result depends on the pace; none: equilibrium, but dynamics where pace or damping is given"),
+           "of all kinds but time-history. equilibrium: each row is a state of rest, found by relaxation, and the run's time counts "
+           "iterations; dynamics: the structure moves slowly, so the result depends on the pace; none: equilibrium, but dynamics where "
+           "pace or damping is given"),
        choice<S, LoadPattern S::*, LoadPattern>(
            "pattern", &S::pattern, "",
            {{"mass", LoadPattern::mass},

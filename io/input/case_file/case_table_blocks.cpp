@@ -33,8 +33,10 @@ Table<SupportMotion> support_motion_table() {
   using S = SupportMotion;
   return {"motion of a fixed block, or of a part of the base: velocity or file",
           {value<S>("velocity", &S::velocity, "m/s", any().usually(usual::kSpeed), "constant velocity"),
-           value<S>("file", &S::file, "", filled(),
-                    "CSV of t, x, y, z in s and m, from where the block stands; a first row away from zero is a jump")},
+           value<S>(
+               "file", &S::file, "", filled(),
+               "CSV of t, x, y, z in s and m, from where the block stands; a first row away from zero is a jump. In a settlement t says in "
+               "which order and proportion supports move, not how fast")},
           [](const S& s, const RuleCheck& check) {
             if (s.velocity && s.file) check.fault("file", "does not go with velocity; give one of them");
             if (!s.velocity && !s.file) check.fault("", "says nothing; give velocity (m/s) or file");
@@ -156,8 +158,10 @@ void check_motion(const Motion& s, const RuleCheck& check) {
   if (!xyz.empty() && s.direction != Motion{}.direction)
     return check.fault("direction", "says where L, T, V go, but files are given for x, y, z; leave it out, or give files for L, T, V");
   if (s.intensity && s.scale != Motion{}.scale && s.scale[0] == s.scale[1] && s.scale[1] == s.scale[2])
-    return check.fault(
-        "scale", "has no effect beside motion.intensity, for which all components are multiplied by one factor; leave one of them out");
+    return check.fault("scale",
+                       "has no effect beside motion.intensity, for which all components are multiplied by one factor; leave one of them "
+                       "out. motion.intensity.level says how strong the motion is; in a study the levels of [intensity], in place of "
+                       "scales");
   if (s.treatment.to && *s.treatment.to <= s.treatment.from.value_or(0.0))
     return check.fault("to", "must be above motion.from, where the window begins");
   if (!s.record && xyz.empty() && ltv.empty()) check.fault("", "names no motion; give record, or files for x, y, z, or for L, T, V");

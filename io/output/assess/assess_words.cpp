@@ -9,6 +9,7 @@
 #include "geometry/message.h"
 #include "geometry/nth.h"
 #include "io/output/measures/capacity/capacity_file.h"
+#include "io/output/measures/point_accelerations.h"
 
 namespace voussoir::io {
 namespace {
@@ -19,8 +20,13 @@ using geometry::printed;
 
 constexpr std::size_t kShownCracks = 20;
 
-std::string percent(double x) { return std::isnan(x) ? "-" : printed("%.2f %%", 100.0 * x); }
-std::string mm(double x) { return printed("%.2f", 1e3 * x); }
+/// Two decimals, without the sign of a zero.
+std::string hundredths(double x) {
+  const std::string text = printed("%.2f", x);
+  return text == "-0.00" ? "0.00" : text;
+}
+std::string percent(double x) { return std::isnan(x) ? "-" : hundredths(100.0 * x) + " %"; }
+std::string mm(double x) { return hundredths(1e3 * x); }
 
 double peak(const cases::Accelerogram& a) {
   double most = 0;
@@ -63,15 +69,17 @@ void put_crack_list(std::string& out, const Assessment& a) {
   std::size_t width = 20;
   for (const WallAssessment& w : a.walls) width = std::max(width, w.name.size());
   const int wide = static_cast<int>(width);
-  out += printed("\n%3s  %-*s %9s %9s %9s %9s %9s  %s\n", "no.", wide, "cracks, widest first", "length", "now [mm]", "most", "at", "at end",
-                 "from the left, up");
+  out += printed("\n%3s  %-*s %9s %9s %9s %9s %9s %9s  %s\n", "no.", wide, "cracks, widest first", "extent", "branches", "now [mm]", "most",
+                 "at", "at end", "from the left, up");
   for (std::size_t i = 0; i < std::min(a.cracks.size(), kShownCracks); ++i) {
     const Crack& c = a.cracks[i];
-    const std::string place = printed("%.2f-%.2f m, %.2f-%.2f m", c.along[0], c.along[1], c.z[0], c.z[1]);
-    out += printed("%3zu  %-*s %7.2f m %9s %9s %7.2f s %9s  %s\n", i + 1, wide, nth(a.walls, c.wall).name.c_str(), c.length,
-                   mm(c.width).c_str(), mm(c.peak).c_str(), c.peak_time, mm(c.at_end).c_str(), place.c_str());
+    const std::string place =
+        hundredths(c.along[0]) + "-" + hundredths(c.along[1]) + " m, " + hundredths(c.z[0]) + "-" + hundredths(c.z[1]) + " m";
+    out += printed("%3zu  %-*s %7.2f m %7.2f m %9s %9s %7.2f s %9s  %s\n", i + 1, wide, nth(a.walls, c.wall).name.c_str(), c.extent(),
+                   c.length, mm(c.width).c_str(), mm(c.peak).c_str(), c.peak_time, mm(c.at_end).c_str(), place.c_str());
   }
   if (a.cracks.size() > kShownCracks) out += printed("     and %zu more, all in --format json\n", a.cracks.size() - kShownCracks);
+  out += "     a crack is a net of open joints that hang together: extent, from end to end; branches, the sum of their lengths\n";
 }
 
 void put_storeys(std::string& out, const Assessment& a) {
@@ -114,11 +122,13 @@ std::string assessment_text(const Assessment& a, const std::vector<FloorAccelera
   put_storeys(out, a);
   put_cuts(out, a);
   if (points.empty()) return out;
-  out += printed("\n%-24s %13s %13s %13s\n", "acceleration [m/s2]", "x", "y", "z");
-  out += printed("%-24s %13.2f %13.2f %13.2f\n", "base", peak(base.axis[0]), peak(base.axis[1]), peak(base.axis[2]));
+  const bool low_passed = points.front().low_passed;  // all have the same rows
+  out += printed("\n%-24s %13s %13s %13s %13s\n", "acceleration [m/s2]", "x", "y", "z", "horizontal");
+  out += printed("%-24s %13.2f %13.2f %13.2f %13s\n", "base, as recorded", peak(base.axis[0]), peak(base.axis[1]), peak(base.axis[2]), "");
   for (const FloorAcceleration& p : points)
-    out += printed("%-24s %13.2f %13.2f %13.2f\n", p.name.c_str(), peak(p.axis[0]), peak(p.axis[1]), peak(p.axis[2]));
-  return out;
+    out += printed("%-24s %13.2f %13.2f %13.2f %13.2f\n", p.name.c_str(), p.peak[0], p.peak[1], p.peak[2], p.peak_horizontal);
+  return out + (low_passed ? printed("points: below %.0f Hz, as in summary; spectra (--spectra) are not filtered\n", kInstrumentCorner)
+                           : "points: not filtered, since rows of /history are too far apart for that\n");
 }
 
 std::string assessment_json(const Assessment& a, const std::vector<FloorAcceleration>& points, const cases::GroundMotion& base,
@@ -140,6 +150,7 @@ std::string assessment_json(const Assessment& a, const std::vector<FloorAccelera
   for (const Crack& c : a.cracks)
     out["cracks"].push_back({{"wall", nth(a.walls, c.wall).name},
                              {"length", c.length},
+                             {"extent", c.extent()},
                              {"width", c.width},
                              {"peak", c.peak},
                              {"peak_time", c.peak_time},
@@ -165,7 +176,11 @@ std::string assessment_json(const Assessment& a, const std::vector<FloorAccelera
                            {"torsion", json_of(c.torsion)}});
   const auto peaks = [](const auto& axis) { return Json{peak(axis[0]), peak(axis[1]), peak(axis[2])}; };
   out["base_acceleration"] = peaks(base.axis);
-  for (const FloorAcceleration& p : points) out["points"].push_back({{"name", p.name}, {"acceleration", peaks(p.axis)}});
+  for (const FloorAcceleration& p : points)
+    out["points"].push_back({{"name", p.name},
+                             {"acceleration", p.peak},
+                             {"horizontal", p.peak_horizontal},
+                             {"low_pass", p.low_passed ? Json(kInstrumentCorner) : Json(nullptr)}});
   if (capacity) out["capacity"] = Json::parse(capacity_json(*capacity, false));
   return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

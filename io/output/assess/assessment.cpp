@@ -12,6 +12,7 @@
 #include "geometry/nth.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/hdf5_file.h"
+#include "io/output/measures/members/peak_base_shear.h"
 #include "solver/run/collapse.h"
 
 namespace voussoir::io {
@@ -87,7 +88,7 @@ std::vector<Level> levels_of(const Building& b, std::int32_t house, std::vector<
           if (std::ranges::none_of(heights, [&](double other) { return std::abs(h - other) < kLeastStorey; })) heights.push_back(h);
     std::ranges::sort(heights);
   } else {
-    for (double& h : heights) h += b.base;
+    for (double& h : heights) h = b.z_of(h);
     std::ranges::sort(heights);
     heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
   }
@@ -127,20 +128,20 @@ void read_cuts(const Hdf5File& run, const cases::Case& c, Assessment& out) {
 }
 
 void read_base_shear(const Hdf5File& run, Assessment& out) {
-  const auto time = run.read<double>("/forces/time"), shear = run.read<double>("/forces/base_shear");
-  if (shear.size() != 3 * time.size()) throw FileError(run.path(), "/forces does not fit together");
-  for (std::size_t i = 0; i < time.size(); ++i) out.base_shear.take(std::hypot(shear[3 * i], shear[3 * i + 1]), time[i]);
+  const PeakBaseShear peak = peak_base_shear(run);
+  out.base_shear = {peak.value, peak.time};
   out.base_shear_over_weight = out.weight > 0 ? out.base_shear.value / out.weight : kNone;
 }
 
-/// Refuses heights of storeys above the base that lie outside the walls.
+/// Refuses heights of storeys that lie outside the walls.
 void check_levels(const Building& b, const std::vector<double>& heights) {
-  double top = 0.0;
-  for (const Wall& w : b.walls) top = std::max(top, w.box.high[2] - b.base);
+  double foot = b.has_base ? 0.0 : std::numeric_limits<double>::infinity(), top = 0.0;
+  for (const Wall& w : b.walls) foot = std::min(foot, b.height_of(w.box.low[2])), top = std::max(top, b.height_of(w.box.high[2]));
+  if (foot > top) foot = 0.0;  // no walls
   for (const double h : heights) {
-    if (!(h >= -kSameLevel && h <= top + kSameLevel))
-      throw cases::InputError("--levels",
-                              "= " + cases::text(h) + " m; allowed: from 0 to " + cases::text(top) + " m, the top of the walls");
+    if (!(h >= foot - kSameLevel && h <= top + kSameLevel))
+      throw cases::InputError("--levels", "= " + cases::text(h) + " m; allowed: from " + cases::text(foot) + " to " + cases::text(top) +
+                                              " m, the top of the walls");
   }
 }
 
@@ -161,7 +162,7 @@ class Assessor {
     for (const std::int32_t house : houses) {
       levels_.push_back(levels_of(building, house, heights));
       for (std::size_t k = 1; k < levels_.back().size(); ++k)
-        out_.storeys.push_back({house, levels_.back()[k - 1].z - building.base, levels_.back()[k].z - building.base, {}, {}});
+        out_.storeys.push_back({house, building.height_of(levels_.back()[k - 1].z), building.height_of(levels_.back()[k].z), {}, {}});
     }
   }
 
@@ -188,6 +189,7 @@ class Assessor {
       out_.walls[w].seats = seat_figures(out_.joints, static_cast<std::int32_t>(w));
       for (OpeningCorner& c : opening_corners(building_, static_cast<std::int32_t>(w))) {
         const CrackFigures f = corner_figures(out_.joints, building_, c);
+        c.z = building_.height_of(c.z);
         out_.corners.emplace_back(std::move(c), f);
       }
     }

@@ -38,7 +38,7 @@ struct WallAssessment {
 /// Horizontal displacement of a level relative to the one below, over their difference in height: a ratio.
 struct StoreyDrift {
   std::int32_t house = 0;
-  double low = 0, high = 0;  // z, m
+  double low = 0, high = 0;  // m, Building::height_of
   std::array<Peak, 2> peak;  // x, y
   std::array<double, 2> now{};
 };
@@ -54,10 +54,10 @@ struct CutAssessment {
 struct Assessment {
   double time = 0;    // s, time of the assessed frame
   double weight = 0;  // N, of all elements that are not fixed
-  Peak base_shear;    // N, horizontal, from the rows of /forces
+  Peak base_shear;    // N, horizontal: peak_base_shear; its time is that of the largest row of /forces
   double base_shear_over_weight = 0;
   std::vector<WallAssessment> walls;
-  std::vector<std::pair<OpeningCorner, CrackFigures>> corners;
+  std::vector<std::pair<OpeningCorner, CrackFigures>> corners;  // their z: Building::height_of
   std::vector<StoreyDrift> storeys;
   std::vector<CutAssessment> cuts;
   // At the assessed frame, for crack maps.
@@ -68,7 +68,7 @@ struct Assessment {
 
 /// Assesses a run at one frame.
 /// \param c  the case of the run \param time  of the frame, nearest one taken [s]; none: the last frame
-/// \param levels  heights of storeys above the base [m]; none: feet and tops of the walls of each storey
+/// \param levels  heights of storeys, Building::height_of [m]; none: feet and tops of the walls of each storey
 /// \throw FileError
 Assessment assess(const Hdf5File& run, const cases::Case& c, const Building& building, std::optional<double> time,
                   const std::vector<double>& levels);

@@ -106,7 +106,7 @@ class Adder {
     const double low = box_.low[axis_] - wall_.box.low[axis_], high = wall_.box.high[axis_] - box_.high[axis_];
     const double from = std::max(0.0, right ? low : high), size = box_.size(axis_);
     crack_.along = {from, from + size};
-    crack_.z = {box_.low[2] - building_.base, box_.high[2] - building_.base};
+    crack_.z = {building_.height_of(box_.low[2]), building_.height_of(box_.high[2])};
     return std::move(crack_);
   }
 

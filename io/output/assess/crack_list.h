@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -17,12 +18,15 @@ namespace voussoir::io {
 struct Crack {
   std::int32_t wall = 0;               // index into Building::walls
   std::vector<std::size_t> joints;     // rows of /model/joint
-  std::array<double, 2> along{}, z{};  // m: from the left end of the wall, as seen from outside; above the base: least and largest
-  double length = 0;                   // m, on that face of the wall on which it is longer
+  std::array<double, 2> along{}, z{};  // m: from the left end of the wall, as seen from outside; Building::height_of: least and largest
+  double length = 0;                   // m, of all its branches, on that face of the wall on which they are longer
   double width = 0;                    // m, of its widest joint at the assessed frame
   Vec3 widest;                         // m, middle of that joint, in the reference configuration
   double peak = 0, peak_time = 0;      // m, s: largest width of any of its joints in any frame
   double at_end = 0;                   // m, in the last frame
+
+  /// From end to end in the plane of the wall: the diagonal of the box about it [m].
+  [[nodiscard]] double extent() const noexcept { return std::hypot(along[1] - along[0], z[1] - z[0]); }
 };
 
 /// Cracks at one time, the widest first; of equal ones the longer. Joints of elements that have fallen are left out. A

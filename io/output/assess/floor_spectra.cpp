@@ -10,6 +10,7 @@
 
 #include "io/input/files/errors.h"
 #include "io/input/motion/spectra/figures.h"
+#include "io/output/measures/point_accelerations.h"
 
 namespace voussoir::io {
 namespace {
@@ -22,6 +23,19 @@ constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
 double rate(const std::vector<double>& v, std::size_t axis, std::size_t i, double dt) {
   const std::size_t rows = v.size() / 3, before = i > 0 ? i - 1 : i, after = i + 1 < rows ? i + 1 : i;
   return after == before ? 0.0 : (v[3 * after + axis] - v[3 * before + axis]) / (static_cast<double>(after - before) * dt);
+}
+
+/// Sets the peaks of a point. \param all  low-passed accelerations of the run
+void take_peaks(const PointAccelerations& all, FloorAcceleration& p) {
+  const auto take = [&](Vec3 a) {
+    p.peak_horizontal = std::max(p.peak_horizontal, std::hypot(a.x, a.y));
+    p.peak = {std::max(p.peak[0], std::abs(a.x)), std::max(p.peak[1], std::abs(a.y)), std::max(p.peak[2], std::abs(a.z))};
+  };
+  const auto own = std::ranges::find(all.points, p.name, &PointAcceleration::name);
+  p.low_passed = own != all.points.end();
+  if (p.low_passed) return std::ranges::for_each(own->acceleration, take), void();
+  for (std::size_t i = 0; i < p.axis[0].acceleration.size(); ++i)
+    take({p.axis[0].acceleration[i], p.axis[1].acceleration[i], p.axis[2].acceleration[i]});
 }
 
 void add_rows(std::string& out, const std::string& name, const std::array<cases::Accelerogram, 3>& motion,
@@ -50,6 +64,7 @@ std::vector<FloorAcceleration> floor_accelerations(const Hdf5File& run, const st
   std::vector<FloorAcceleration> all;
   if (time.size() < 3) return all;
   const double dt = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+  const PointAccelerations low_passed = point_accelerations(run);
   for (const std::string& name : names) {
     const std::string from = "/history/" + name + "/velocity";
     const auto v = run.read<double>(from);
@@ -61,6 +76,7 @@ std::vector<FloorAcceleration> floor_accelerations(const Hdf5File& run, const st
       for (std::size_t i = 0; i < time.size(); ++i)
         p.axis[axis].acceleration.push_back(rate(v, axis, i, dt) + cases::acceleration_at(base.axis[axis], time[i]));
     }
+    take_peaks(low_passed, p);
   }
   return all;
 }

@@ -17,6 +17,10 @@ namespace voussoir::io {
 struct FloorAcceleration {
   std::string name;
   std::array<cases::Accelerogram, 3> axis;
+  // Peaks, as summary has them: of point_accelerations.h, so below its corner frequency; of `axis` where the rows are too far apart for it.
+  std::array<double, 3> peak{};
+  double peak_horizontal = 0;  // m/s2, largest sqrt(x² + y²)
+  bool low_passed = false;
 };
 
 /// Accelerations of the named points. \param base  motion of the base, as in the run \throw FileError

@@ -14,6 +14,7 @@
 #include <tuple>
 #include <utility>
 
+#include "cases/names.h"
 #include "geometry/nth.h"
 #include "io/input/document/case_tree.h"
 #include "io/input/files/errors.h"
@@ -22,10 +23,11 @@
 namespace voussoir::io {
 namespace {
 
-constexpr double kPiece = 1.0;       // m, length of a piece of a wall's top, over which displacement is averaged
-constexpr double kMostPieces = 1e5;  // of a wall: a damaged file may have any length
-constexpr double kSameLevel = 1e-3;  // m
-constexpr double kOnBorder = 1e-6;   // of a piece: a centre so near to its end counts in both that meet there, not in one by round-off
+constexpr double kPiece = 1.0;             // m, length of a piece of a wall's top, over which displacement is averaged
+constexpr double kMostPieces = 1e5;        // of a wall: a damaged file may have any length
+constexpr double kSameLevel = 1e-3;        // m
+constexpr double kUpperThird = 1.0 / 3.0;  // of a gable's height: its uppermost course is a brick that may be loose
+constexpr double kOnBorder = 1e-6;  // of a piece: a centre so near to its end counts in both that meet there, not in one by round-off
 
 /// Required parts of /model/element.
 struct Elements {
@@ -34,7 +36,7 @@ struct Elements {
   std::vector<std::uint8_t> fixed;
 };
 
-/// A number of the case, 0 if not given.
+/// A finite number of the case, 0 if not given. \throw FileError
 double case_number(const Hdf5File& run, std::string_view table, std::string_view key) {
   try {
     const Node document = parse_document(run.attribute_text("/case", "toml"));
@@ -42,12 +44,20 @@ double case_number(const Hdf5File& run, std::string_view table, std::string_view
     const auto* inside = entry == nullptr ? nullptr : entry->node.as<Node::Table>();
     const Entry* number = inside == nullptr ? nullptr : find_entry(*inside, key);
     if (number == nullptr) return 0.0;
-    if (const auto* value = number->node.as<double>()) return *value;
+    if (const auto* value = number->node.as<double>(); value != nullptr && std::isfinite(*value)) return *value;
     if (const auto* value = number->node.as<std::int64_t>()) return static_cast<double>(*value);
-    throw FileError(run.path(), "/case: " + std::string(table) + "." + std::string(key) + " is no number");
+    throw FileError(run.path(), "/case: " + std::string(table) + "." + std::string(key) + " is no finite number");
   } catch (const SyntaxError& e) {
     throw FileError(run.path(), std::string("/case: ") + e.what());
   }
+}
+
+/// Quarters by which the case turns its house. \throw FileError
+int quarter_turns_of(const Hdf5File& run) {
+  const double turn = case_number(run, "house", "turn");
+  for (int quarters = 0; quarters < 4; ++quarters)
+    if (turn == 90.0 * quarters) return quarters;
+  throw FileError(run.path(), "/case: house.turn = " + cases::text(turn) + " degrees; allowed: 0, 90, 180, 270");
 }
 
 /// Whether the case has a table. \throw FileError
@@ -203,6 +213,32 @@ void find_courses(const Elements& elements, Building& b) {
   }
 }
 
+/// The name of a wall's gable: "left wall, storey 2" has "left gable, storey 2".
+std::string gable_name(std::string wall) {
+  constexpr std::string_view kWall = " wall";
+  const std::size_t at = wall.rfind(kWall);
+  return at == std::string::npos ? wall : wall.replace(at, kWall.size(), " gable");
+}
+
+/// Finds gables as parts of their own, with their lowest course and their upper third.
+void find_gables(const Elements& elements, Building& b) {
+  std::map<std::int32_t, std::vector<std::size_t>> of_wall;
+  for (std::size_t e = 0; e < b.wall.size(); ++e) {
+    b.gable[e] = b.wall[e] >= 0 && may_be_of_wall(elements, b, e) && wall_tag(elements.tag[e]).gable ? 1 : 0;
+    if (b.gable[e] != 0) of_wall[b.wall[e]].push_back(e);
+  }
+  for (const auto& [wall, bricks] : of_wall) {
+    Gable& gable = b.gables.emplace_back(Gable{wall, nth(b.walls, wall)});
+    Wall& part = gable.part;
+    part.name = gable_name(part.name), part.box = Box::empty(), part.foot.clear(), part.top.assign(1, {});
+    for (const std::size_t e : bricks) part.box.include(b.box[e]);
+    for (const std::size_t e : bricks) {
+      if (b.box[e].low[2] < part.box.low[2] + kSameLevel) part.foot.push_back(e);
+      if (b.box[e].centre(2) >= part.box.high[2] - kUpperThird * part.height()) part.top.front().push_back(e);
+    }
+  }
+}
+
 /// The rectangle enclosed by the walls of a storey.
 Room inside_of(const std::vector<const Wall*>& walls, const Box& outer, int storey) {
   Room room{{outer.low[0], outer.low[1]}, {outer.high[0], outer.high[1]}, outer.low[2], outer.high[2], storey, true};
@@ -255,7 +291,7 @@ void find_covers(const Elements& elements, Building& b) {
   }
 }
 
-/// From which heights count in a model without a base, as in the solver.
+/// From which heights count in the solver in a model without a base.
 double lowest(const std::vector<Box>& boxes) {
   double low = std::numeric_limits<double>::infinity();
   for (const Box& b : boxes) low = std::min(low, b.low[2]);
@@ -294,13 +330,16 @@ Building building_of(const Hdf5File& run) {
   }
   b.wall.assign(n, -1);
   b.covers.assign(n, 0);
+  b.gable.assign(n, 0);
   b.box = boxes_of(run, n);
-  b.base = b.has_base ? case_number(run, "base", "z") - origin_of_run(run).z : lowest(b.box);
-  find_walls(elements, static_cast<int>(std::lround(case_number(run, "house", "turn") / 90.0)), b);
+  b.datum = (b.has_base ? case_number(run, "base", "z") : 0.0) - origin_of_run(run).z;
+  b.base = b.has_base ? b.datum : lowest(b.box);
+  find_walls(elements, quarter_turns_of(run), b);
   find_lintels(elements, b);
   find_rooms(b, has_table(run, "wall"));
   find_covers(elements, b);
   find_courses(elements, b);
+  find_gables(elements, b);
   const bool any_house = std::ranges::any_of(elements.house, [](std::int32_t h) { return h >= 0; });
   b.footprint = Box::empty();
   for (std::size_t e = 0; e < n; ++e)

@@ -45,6 +45,12 @@ struct Wall {
   [[nodiscard]] double right() const noexcept { return across == 1 ? -outward : outward; }
 };
 
+/// A gable: a part of its own on the wall whose mass it counts to. As a wall, its top is its upper third.
+struct Gable {
+  std::int32_t wall = 0;  // index into Building::walls
+  Wall part;              // "left gable, storey 2"
+};
+
 /// Along x (0), y (1) or z (2).
 inline double component(Vec3 v, std::size_t axis) noexcept { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
@@ -59,17 +65,23 @@ struct Room {
 struct Building {
   static constexpr int kAll = std::numeric_limits<int>::max();  // value of `covers`
 
-  double base = 0;  // m, height of the base; without one, of the lowest corner
+  double base = 0;  // m, z of the base; without one, of the lowest corner, from which the solver counts what has fallen
   bool has_base = false;
+  double datum = 0;          // m, z from which heights count that are shown: of the base; without one, z = 0 of the case
   std::vector<double> mass;  // kg, by element like the following vectors; 0 for fixed elements
   std::vector<cases::PartKind> kind;
   std::vector<std::int32_t> wall;  // index into walls; −1: of no wall
   std::vector<int> covers;         // number of storeys under the element (floor, roof), counted from the first; 0: neither floor nor roof
   std::vector<Box> box;            // in the reference configuration
   std::vector<Wall> walls;         // empty without a house
-  std::vector<Room> rooms;         // of houses whose walls enclose one
-  Box footprint;                   // of the houses; without a house, of all elements that are not fixed
+  std::vector<Gable> gables;
+  std::vector<std::uint8_t> gable;  // by element, 1: a brick of a gable
+  std::vector<Room> rooms;          // of houses whose walls enclose one
+  Box footprint;                    // of the houses; without a house, of all elements that are not fixed
 
+  /// Height as a drawing has it, for all that is shown [m]: above the base; without one, z of the case.
+  [[nodiscard]] double height_of(double z) const noexcept { return z - datum; }
+  [[nodiscard]] double z_of(double height) const noexcept { return height + datum; }
   [[nodiscard]] bool is_roof(std::size_t element) const noexcept {
     return kind[element] == cases::PartKind::beam || kind[element] == cases::PartKind::voussoir;
   }

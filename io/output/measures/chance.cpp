@@ -22,6 +22,7 @@ std::span<const std::string_view> figures_of_chance() {
                                    "residual_drift"sv,
                                    "peak_in_plane_drift"sv,
                                    "peak_drift_time"sv,
+                                   "peak_gable_drift"sv,
                                    "peak_storey_drift"sv,
                                    "peak_seat_slip"sv,
                                    "seat_slip"sv,

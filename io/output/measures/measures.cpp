@@ -59,8 +59,9 @@ class Measurer {
                           .residual_drift = kNone,
                           .peak_in_plane_drift = kNone,
                           .storey = static_cast<double>(w.storey),
-                          .foot = w.box.low[2] - building_.base,
-                          .top = w.box.high[2] - building_.base,
+                          .foot = building_.height_of(w.box.low[2]),
+                          .top = building_.height_of(w.box.high[2]),
+                          .peak_gable_drift = kNone,
                           .peak_storey_drift = kNone,
                           .residual_storey_drift = kNone,
                           .peak_seat_slip = kNone,
@@ -78,6 +79,7 @@ class Measurer {
     for (std::uint64_t f = 0; f < frames_.frames(); ++f) take(frames_.times()[f], poses_of(frames_, f));
     finish_grades();
     finish_walls();
+    finish_gables();
     finish_penetration();
     m_.fallen_mass_fraction = all_.share();
     m_.first_fallen_time = all_.first_time;
@@ -108,6 +110,7 @@ class Measurer {
     BuildingDamage damage{{}, roof_.share(), all_.share(), m_.collapsed};
     const std::vector<CrackExtent> cracks = cracks_.extents(time, poses);
     for (std::size_t w = 0; w < walls_.size(); ++w) damage.walls.push_back(damage_of(time, w, cracks[w], poses));
+    take_gables(time, poses);
     m_.series.time.push_back(time);
     m_.series.damage_grade.push_back(damage.walls.empty() ? -1 : damage_grade(damage));
     m_.series.fallen_mass_fraction.push_back(all_.share());
@@ -181,6 +184,15 @@ class Measurer {
     return {cracks, walls_[w].share(), std::abs(drift.value_or(0.0)) * wall.height() / wall.thickness()};
   }
 
+  void take_gables(double time, const std::vector<Pose>& poses) {
+    for (const Gable& g : building_.gables) {
+      WallMeasures& wall = nth(m_.walls, g.wall);
+      const std::optional<double> drift = wall_drift(g.part, start_, poses, fallen_);
+      if (drift && !(std::abs(*drift) <= std::abs(wall.peak_gable_drift)))
+        wall.peak_gable_drift = *drift, wall.peak_gable_drift_time = time;
+    }
+  }
+
   /// Computes grades over time. Temporary damage, such as a crack that closes again, does not count: the grade at a time is the lowest from
   /// then on.
   void finish_grades() {
@@ -230,11 +242,19 @@ class Measurer {
         m_.first_fallen_wall = measures.name;
       }
       if (!std::isnan(measures.peak_drift) && !(std::abs(measures.peak_drift) <= m_.peak_drift))
-        m_.peak_drift = std::abs(measures.peak_drift), m_.peak_drift_time = measures.peak_drift_time;
+        m_.peak_drift = std::abs(measures.peak_drift), m_.peak_drift_time = measures.peak_drift_time, m_.peak_drift_wall = measures.name;
       if (!std::isnan(measures.peak_storey_drift) && !(std::abs(measures.peak_storey_drift) <= m_.peak_storey_drift))
         m_.peak_storey_drift = std::abs(measures.peak_storey_drift), m_.peak_storey_drift_wall = measures.name;
       if (!std::isnan(measures.peak_in_plane_drift)) keep_larger(m_.peak_in_plane_drift, std::abs(measures.peak_in_plane_drift));
       if (!std::isnan(measures.residual_drift)) keep_larger(m_.residual_drift, std::abs(measures.residual_drift));
+    }
+  }
+
+  void finish_gables() {
+    m_.peak_gable_drift = kNone;
+    for (const Gable& g : building_.gables) {
+      const double drift = std::abs(nth(m_.walls, g.wall).peak_gable_drift);
+      if (!std::isnan(drift) && !(drift <= m_.peak_gable_drift)) m_.peak_gable_drift = drift, m_.peak_gable = g.part.name;
     }
   }
 

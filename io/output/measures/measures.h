@@ -32,8 +32,10 @@ struct WallMeasures {
   double residual_drift = 0;                        // at the end; NaN: the wall does not stand
   double peak_in_plane_drift = 0;                   // as peak_drift, along the wall
   double storey = 1;                                // number, from below
-  double foot = 0, top = 0;                         // m, of the wall above the base
+  double foot = 0, top = 0;                         // m, of the wall: Building::height_of
   double peak_drift_time = kNeverReached;           // s, of peak_drift
+  double peak_gable_drift = 0;                      // as peak_drift, of its gable; NaN: it has none, or that never stood
+  double peak_gable_drift_time = kNeverReached;     // s, of it
   double peak_storey_drift = 0;                     // storey_drift of largest magnitude while the wall stood; NaN: never stood
   double peak_storey_drift_time = kNeverReached;    // s, of it
   double residual_storey_drift = 0;                 // at the end; NaN: the wall does not stand
@@ -77,6 +79,9 @@ struct Measures {
   double peak_drift = 0, residual_drift = 0;      // largest magnitude of all walls; NaN: undefined
   double peak_in_plane_drift = 0;                 // likewise, along the walls
   double peak_drift_time = kNeverReached;         // s, of peak_drift
+  std::string peak_drift_wall;                    // empty: there is no wall
+  double peak_gable_drift = 0;                    // largest magnitude of all gables; NaN: there are none
+  std::string peak_gable;                         // its name: "left gable, storey 2"; empty: there are none
   double peak_storey_drift = 0;                   // likewise, of storey_drift
   std::string peak_storey_drift_wall;             // empty: there is no wall
   double peak_seat_slip = 0, seat_slip = 0;       // m, largest slip of a beam or rafter, at the end; NaN: none lies on a wall

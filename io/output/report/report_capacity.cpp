@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -14,6 +14,7 @@
 #include "cases/case.h"
 #include "geometry/message.h"
 #include "io/input/files/errors.h"
+#include "io/input/files/text_file.h"
 #include "io/output/measures/capacity/capacity_file.h"
 #include "io/output/report/report_plots.h"
 
@@ -98,29 +99,50 @@ Plot loop_plot(const Capacity& c) {
 }
 
 constexpr double kSameDirection = 1e-6;
+constexpr std::size_t kLargest = 256U << 20U;  // bytes of limit.json
 
-Json read(const std::string& path) {
-  std::ifstream file(path);
-  Json found = Json::parse(file, nullptr, false);
-  const bool whole = found.is_object() && found.contains("associated") && found.contains("coulomb") && found.contains("mortar_joints") &&
-                     found.contains("cone_error") && found.contains("converged") && found.contains("direction") && found.contains("title");
-  if (!whole) throw FileError(path, "is not what `voussoir limit CASE --format json` writes");
-  return found;
+/// What the page shows of limit.json.
+struct LimitAnalysis {
+  std::string title;
+  std::array<double, 3> direction{};
+  std::uint64_t mortar_joints = 0;
+  double cone_error = 0.0;
+  bool converged = false;
+  Json associated, coulomb;  // multipliers; null: none, or none that is finite
+};
+
+/// The multiplier of a collapse state: a number, or null. \throw Json::exception
+Json multiplier_of(const Json& state) {
+  if (state.is_null() || state.at("multiplier").is_null()) return {};
+  return state.at("multiplier").get_ref<const double&>();  // as the program writes it, with a point
 }
 
-bool same_direction(const Json& limit, const cases::Analysis& a) {
-  const auto live = limit["direction"].get<std::array<double, 3>>();
+/// \throw Json::exception where a member is missing or of another type
+LimitAnalysis read(const std::string& text) {
+  const Json all = Json::parse(text);
+  LimitAnalysis out;
+  out.title = all.at("title").get_ref<const std::string&>();
+  for (std::size_t i = 0; i < out.direction.size(); ++i) out.direction[i] = all.at("direction").at(i).get<double>();
+  out.mortar_joints = all.at("mortar_joints").get_ref<const std::uint64_t&>();
+  out.cone_error = all.at("cone_error").get<double>();
+  out.converged = all.at("converged").get<bool>();
+  out.associated = multiplier_of(all.at("associated")), out.coulomb = multiplier_of(all.at("coulomb"));
+  return out;
+}
+
+bool same_direction(const LimitAnalysis& limit, const cases::Analysis& a) {
   const double length = std::hypot(a.direction[0], a.direction[1]);
-  return std::hypot(live[0] - a.direction[0] / length, live[1] - a.direction[1] / length) < kSameDirection;
+  return std::hypot(limit.direction[0] - a.direction[0] / length, limit.direction[1] - a.direction[1] / length) < kSameDirection;
 }
 
 std::string per_cent(double share) { return geometry::printed("%.2g %%", 100.0 * share); }
 
 /// Differences between the two analyses, the probably most important first.
-Json reasons(const Json& limit, const cases::Case& c, const Capacity& run) {
+Json reasons(const LimitAnalysis& limit, const cases::Case& c, const Capacity& run) {
   Json all = Json::array();
-  if (const int mortar = limit["mortar_joints"].get<int>(); mortar > 0)
-    all.push_back("Mortar: the run counts the strength of " + std::to_string(mortar) + " joints, limit analysis takes them as dry.");
+  if (limit.mortar_joints > 0)
+    all.push_back("Mortar: the run counts the strength of " + std::to_string(limit.mortar_joints) +
+                  " joints, limit analysis takes them as dry.");
   if (!c.ties.empty()) all.push_back("Ties: the run has them, limit analysis leaves them out.");
   if (cases::has_push_shape(c.analysis) || (run.kind == AnalysisKind::pushover && c.analysis.pattern != LoadPattern::mass))
     all.push_back("Pattern: the run's forces are not spread as the weights, those of limit analysis are.");
@@ -131,8 +153,7 @@ Json reasons(const Json& limit, const cases::Case& c, const Capacity& run) {
     all.push_back("Rate: inertia bore a part of the run's load; repeat it with twice the analysis.pace.");
   all.push_back("Slip: in associated flow it opens joints, in the run it does not. Coulomb's multiplier is the one to compare.");
   all.push_back("Stiffness: the run's joints yield, so blocks lean before they turn, which shortens their lever arms.");
-  if (const double cone = limit["cone_error"].get<double>(); cone > 0.0)
-    all.push_back("Facets: friction of limit analysis is off by up to " + per_cent(cone) + ".");
+  if (limit.cone_error > 0.0) all.push_back("Facets: friction of limit analysis is off by up to " + per_cent(limit.cone_error) + ".");
   return all;
 }
 
@@ -143,13 +164,12 @@ Json second_opinion(const std::string& folder, const cases::Case& c, const Capac
   const std::string path = folder + "/limit.json";
   std::error_code none;
   if (!has_peak(run) || !std::filesystem::exists(path, none)) return {};
+  const std::string text = read_text_file(path, kLargest);
   try {
-    const Json limit = read(path);
-    if (limit["title"] != c.title) throw FileError(path, "is of another case, \"" + limit["title"].get<std::string>() + "\"");
+    const LimitAnalysis limit = read(text);
+    if (limit.title != c.title) throw FileError(path, "is of another case, \"" + limit.title + "\"");
     if (!same_direction(limit, c.analysis)) throw FileError(path, "is of another direction than the run");
-    Json out{{"associated", limit["associated"]["multiplier"]}, {"coulomb", nullptr}, {"reasons", reasons(limit, c, run)}};
-    if (!limit["coulomb"].is_null() && limit["converged"].get<bool>()) out["coulomb"] = limit["coulomb"]["multiplier"];
-    return out;
+    return {{"associated", limit.associated}, {"coulomb", limit.converged ? limit.coulomb : Json()}, {"reasons", reasons(limit, c, run)}};
   } catch (const Json::exception&) {
     throw FileError(path, "is not what `voussoir limit CASE --format json` writes");
   }

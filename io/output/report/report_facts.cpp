@@ -199,7 +199,15 @@ std::array<double, 3> scale_of(const cases::Motion& m, const Hdf5File& file) {
   return scale;
 }
 
-/// Adds the ground motion. Without motion in the run, and without the records, the page has neither peaks nor curves.
+/// The samples of a motion up to a time [s], at least one.
+cases::Accelerogram up_to(cases::Accelerogram a, double end) {
+  const double samples = a.dt > 0.0 ? std::floor(std::max(0.0, end) / a.dt + 1e-6) + 1.0 : 1e300;
+  if (samples < static_cast<double>(a.acceleration.size())) a.acceleration.resize(static_cast<std::size_t>(samples));
+  return a;
+}
+
+/// Adds the ground motion, with the peaks of what was shaken: a run may end before its record. Without motion in the run, and without the
+/// records, the page has neither peaks nor curves.
 void add_ground(const LoadedCase& c, const Hdf5File& file, const FrameReader& frames, Json& facts, std::vector<Plot>& plots) {
   const auto times = file.read<double>("/history/time");
   if (!c.value.motion || is_assessment(c.value.analysis)) return;
@@ -210,7 +218,11 @@ void add_ground(const LoadedCase& c, const Hdf5File& file, const FrameReader& fr
   try {
     const cases::GroundMotion motion = motion_of(c, file);
     Json peak = Json::array();
-    for (const cases::Accelerogram& a : motion.axis) peak.push_back(figures(a).peak_acceleration);
+    for (const cases::Accelerogram& a : motion.axis) {
+      const cases::Accelerogram shaken = times.empty() ? a : up_to(a, times.back());
+      peak.push_back(figures(shaken).peak_acceleration);
+      if (shaken.acceleration.size() < a.acceleration.size()) facts["motion"]["until"] = times.back();
+    }
     facts["motion"]["peak"] = peak;
     if (!times.empty()) plots.push_back(ground_plot(motion, 0.0, times.back()));
     facts["ground"] = ground_track(motion, frames.times());

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "io/input/files/hdf5_file.h"
+#include "io/output/report/damage/worst_moment.h"
 
 namespace voussoir::io {
 

@@ -10,13 +10,13 @@ export class CrackTable {
   constructor(parent, cracks, letter, seek) {
     this.cracks = cracks.cracks;
     const table = parent.appendChild(Object.assign(document.createElement("table"), { className: "cracks" }));
-    table.createCaption().textContent = `Cracks${letter ? `, ${letter}` : ""}: opening and sliding, mm${cracks.more > 0 ? ` (${cracks.more} narrower ones are left out)` : ""}`;
+    table.createCaption().textContent = `Cracks${letter ? `, ${letter}` : ""}: opening and sliding, mm; a crack is a net of open joints, its branches are added up${cracks.more > 0 ? ` (${cracks.more} narrower ones are left out)` : ""}`;
     const head = table.appendChild(document.createElement("tr"));
-    for (const text of ["no., wall, place in m: from the left, up", "length", "now", "most", "at the end"]) cell(head, "th", text, "col").className = text.length > 16 ? "long" : "";
+    for (const text of ["no., wall, place in m: from the left, up", "extent", "branches", "now", "most", "at the end"]) cell(head, "th", text, "col").className = text.length > 16 ? "long" : "";
     this.now_ = this.cracks.map((c, i) => {
       const row = table.appendChild(document.createElement("tr"));
       cell(row, "th", `${i + 1}, ${c.wall}, ${c.along.map((x) => x.toFixed(1)).join("–")}, ${c.z.map((x) => x.toFixed(1)).join("–")}`, "row").className = "long";
-      cell(row, "td", `${c.length.toFixed(1)} m`);
+      for (const x of [c.extent, c.length]) cell(row, "td", `${x.toFixed(1)} m`);
       const now = cell(row, "td", "");
       const most = cell(row, "td", "").appendChild(Object.assign(document.createElement("button"), { type: "button", className: "link", textContent: mm(1000 * c.peak), title: `at ${c.peak_time.toFixed(2)} s: go there` }));
       most.addEventListener("click", () => seek(c.peak_time));

@@ -10,6 +10,7 @@ const metres = (x) => `${x.toFixed(1)} m`;
 const millimetres = (x) => `${(1000 * x).toFixed(2)} mm`;
 const seconds = (t) => `${t.toFixed(2)} s`;
 const percent = (x) => (x === null || x === undefined ? "–" : `${(100 * x).toFixed(1)} %`);
+const hundredths = (x) => `${(100 * x).toFixed(2).replace(/^-(?=[0.]*$)/, "")} %`; // no sign for a zero
 const when = (t) => (t === undefined ? "–" : t < 0 ? "never" : seconds(t));
 
 /** "LTV of bam-like, peaks 7.81, 6.23, 9.81 m/s² along x, y, z" */
@@ -20,13 +21,13 @@ export function subtitle({ facts }) {
   return [
     m.direction ? `${m.record}, ${m.direction} along x, y, z` : m.record,
     `scale ${scale}`,
-    m.peak && `peaks ${m.peak.map((a) => a.toFixed(1)).join(", ")} m/s²`,
+    m.peak && `peaks ${m.peak.map((a) => a.toFixed(1)).join(", ")} m/s²${m.until === undefined ? "" : ` up to ${m.until.toFixed(1)} s, where the run ends`}`,
   ].filter(Boolean).join(" · ");
 }
 
 /** The rows whose figures are left to chance have a mark. */
 const marked = (m, chance, rows) => rows.map((row) => (row && m?.chance && chance.some((name) => row[0].includes(name)) ? [row[0], `${row[1]} *`, ...row.slice(2)] : row));
-const kChance = ["Fallen mass", "Debris", "95 % of it", "Volume left", "Slip of beams", "… the largest", "… seats lost", "storey drift", "Worst moment", "Deepest", "… of", "half a segment", "that touch", "compression", "base shear", "Peak speed"];
+const kChance = ["Fallen mass", "Debris", "95 % of it", "Volume left", "Slip of beams", "… the largest", "… seats lost", "storey drift", "drift out of", "gable's", "Worst moment", "Deepest", "… of", "half a segment", "that touch", "compression", "base shear", "Peak speed"];
 
 /** How deep bodies were in each other. */
 function penetration(m) {
@@ -66,6 +67,8 @@ function damage({ facts }) {
     m && ["Debris covers", `${m.debris_area.toFixed(1)} m²`],
     m && m.free_volume !== null && ["Volume left under the roof", percent(m.free_volume)],
     m && m.peak_storey_drift !== null && m.peak_storey_drift !== undefined && ["Largest storey drift along a wall", `${(100 * m.peak_storey_drift).toFixed(2)} %, ${m.peak_storey_drift_wall}`],
+    m && m.peak_drift !== null && m.peak_drift_wall && ["Largest drift out of a wall's plane", `${hundredths(m.peak_drift)}, ${m.peak_drift_wall}`],
+    m?.peak_gable && ["… of a gable's", `${hundredths(m.peak_gable_drift)}, ${m.peak_gable}`],
     m?.peak_seat_slip > 0 && ["Slip of beams on walls", `at most ${millimetres(m.peak_seat_slip)} at ${seconds(m.peak_seat_slip_time)}${m.seat_slip === null ? "" : `, ${millimetres(m.seat_slip)} at the end`}`],
     m?.peak_seat_slip > 0 && ["… the largest", m.peak_seat_slip_place],
     m?.lost_seats > 0 && ["… seats lost", count(m.lost_seats)],
@@ -117,7 +120,7 @@ function table(parent, head, rows, caption) {
 
 /** A row for each wall, and the roof: what has fallen of it, since when, how far it leaned. */
 function partsTable(parent, m, caption) {
-  const drift = (x) => (x === null ? "–" : Math.abs(x) > 0.25 ? "fell" : percent(x)), rows = m.walls.map((w) => [w.name, percent(w.fallen_mass_fraction), when(w.first_fallen_time), drift(w.peak_drift), drift(w.residual_drift)]);
+  const drift = (x) => (x === null ? "–" : Math.abs(x) > 0.25 ? "fell" : hundredths(x)), rows = m.walls.map((w) => [w.name, percent(w.fallen_mass_fraction), when(w.first_fallen_time), drift(w.peak_drift), drift(w.residual_drift)]);
   if (m.roof_fallen_mass_fraction !== null) rows.push(["roof", percent(m.roof_fallen_mass_fraction), when(m.roof_first_fallen_time), "", ""]);
   table(parent, ["part", "fallen", "first", "peak drift", "at the end"], rows, caption);
 }

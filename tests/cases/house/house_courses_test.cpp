@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include "cases/house/house_courses.h"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -8,6 +10,7 @@
 #include <vector>
 
 #include "cases/house/house_plan.h"
+#include "cases/input_error.h"
 #include "cases/model.h"
 #include "tests/cases/paper_house.h"
 
@@ -71,6 +74,29 @@ TEST_CASE("bricks of a cut course count as cut") {
     const geometry::Box3 box = geometry::bounds(b.shape);
     if (box.low.z > 0.19) CHECK(!b.whole);
   }
+}
+
+TEST_CASE("levels that are at fault together are advised values that go together") {
+  const Tick cm = ticks(0.01);
+  const std::vector<Level> levels{{},
+                                  {300 * cm, "house.height", 3.0, true},
+                                  {240 * cm, "head", 2.4, true},
+                                  {255 * cm, "lintel", 0.15, true},
+                                  {285 * cm, "beam", 0.15, true, -1}};
+  Faults faults;
+  CHECK(kept_levels(levels, 25 * cm, faults).size() == 3);
+  std::string told;
+  try {
+    faults.raise();
+  } catch (const InputErrors& e) {
+    for (const InputError& one : e.all()) told += std::string(one.what()) + "\n";
+  }
+  CAPTURE(told);
+  CHECK(told.find("0.15 m ends a course at 2.55 m, 0.15 m from where head ends one; a course of cut bricks is at least 0.25 m high; "
+                  "nearest: 0.25 m") != std::string::npos);
+  // By itself 0.25 m would do for the beam, too: but then it ends 0.1 m above the lintel that has been raised.
+  CHECK(told.find("0.15 m ends a course at 2.85 m") != std::string::npos);
+  CHECK(told.find("nearest: 0.35 m") != std::string::npos);
 }
 
 TEST_CASE("a brick of 0.25 x 0.12 x 0.065 m with 0.01 m of mortar: half a brick and its joint are a width") {

@@ -75,18 +75,18 @@ void add_short_keys(CLI::App& command, CaseWords& w) {
   command.add_option("--frames", w.frames, "interval of frames, s");
 }
 
-int with_case(const CaseWords& w, const std::function<int(const LoadedCase&)>& use, bool raw_stones) {
+int with_case(const CaseWords& w, const std::function<int(const LoadedCase&)>& use, Fill fill) {
   now_doing("reading the case");
   LoadedCase c = load_case(w.name, overrides(w));
   for (const std::string& note : c.notes) std::fprintf(stderr, "voussoir: note: %s\n", note.c_str());
   warn_of(c.findings);
   note_files_of(c.value);
   try {
-    if (!raw_stones) {
+    if (fill != Fill::none) {
       now_doing("reading the stones");
       load_stones(c.value);
-      fill_own_frequency(c.value, w.threads);
     }
+    if (fill == Fill::all) fill_own_frequency(c.value, w.threads);
     return use(c);
   } catch (const cases::InputError& e) {
     tell(c.describe(e));

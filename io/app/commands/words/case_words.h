@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -30,9 +31,16 @@ void add_case(CLI::App& command, CaseWords& w);
 /// Adds short names of keys of the case: --direction, --record, ... Their values become overrides, so the resolved case contains them.
 void add_short_keys(CLI::App& command, CaseWords& w);
 
+/// What of a case stands elsewhere, or is computed.
+enum class Fill : std::uint8_t {
+  all,     // its stones, and damping.frequency = "auto"
+  stones,  // of use where nothing is damped
+  none     // `use` reads the stones itself, and also shows refused ones
+};
+
 /// Reads the case, its stones and its record, prints its notes and warnings, and calls `use`. Reports input faults thrown by `use` with
-/// file, line and key. \param raw_stones  leave reading the stones to `use`, which also shows refused ones \return the exit code
+/// file, line and key. \param fill  what of the case is found before \return the exit code
 /// \throw cases::InputError, FileError of the case itself
-int with_case(const CaseWords& w, const std::function<int(const LoadedCase&)>& use, bool raw_stones = false);
+int with_case(const CaseWords& w, const std::function<int(const LoadedCase&)>& use, Fill fill = Fill::all);
 
 }  // namespace voussoir::io

@@ -227,12 +227,15 @@ void look_at_mechanism(const Hdf5File& run, Capacity& c) {
   c.mechanism = has_peak(c) ? parts_from(run, frames, building, c.multiplier_time) : bodies_at(run, frames, building, at);
   c.mechanism_time = times[at];
   c.mechanism_at_end = bodies_at(run, frames, building, frames.frames() - 1);
+  if (c.kind == cases::AnalysisKind::settlement)
+    c.hanging = hanging_walls(run, building, first_poses(frames), poses_of(frames, frames.frames() - 1));
 }
 
-const char* why_ended(const Capacity& c, const cases::Analysis& a, bool collapsed) {
+/// \param end  s, up to which the run has come: beyond the last row where that is the last state of rest
+const char* why_ended(const Capacity& c, const cases::Analysis& a, bool collapsed, double end) {
   const CapacityCurve& r = c.curve;
   if (r.over.back() == kLost) return "no further state of rest";
-  if (r.over.back() == 0.0) return collapsed ? "collapse" : r.time.back() < a.longest * (1.0 - 1e-3) ? "not yet" : "longest";
+  if (r.over.back() == 0.0) return collapsed ? "collapse" : end < a.longest * (1.0 - 1e-3) ? "not yet" : "longest";
   if (a.kind == cases::AnalysisKind::settlement || a.kind == cases::AnalysisKind::cyclic) return "history";
   if (r.factor.back() >= a.largest_factor * (1.0 - 1e-3)) return "largest factor";
   return r.drift.back() >= a.largest_drift * (1.0 - 1e-3) ? "largest drift" : "drop";
@@ -348,7 +351,8 @@ std::optional<Capacity> capacity_figures(const Hdf5File& run) {
   if (curve.time.empty()) return {};
   Capacity c = capacity_of(a.kind, a.drop, drive("pace"), drive("weight"), drive("quiet"), std::move(curve));
   const bool collapsed = run.has_attribute("/summary", "collapsed") && run.attribute_int("/summary", "collapsed") != 0;
-  c.ended = why_ended(c, a, collapsed);
+  const bool told = run.has_attribute("/summary", "end_time");
+  c.ended = why_ended(c, a, collapsed, told ? run.attribute_double("/summary", "end_time") : c.curve.time.back());
   c.control = control_of(run);
   return c;
 }

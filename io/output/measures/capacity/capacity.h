@@ -11,6 +11,7 @@
 #include "cases/tables/analysis.h"
 #include "geometry/vec3.h"
 #include "io/output/measures/capacity/capacity_curve.h"
+#include "io/output/measures/capacity/hanging_walls.h"
 #include "io/output/measures/capacity/performance.h"
 
 /// Results of a quasi-static analysis: the capacity curve, its bilinear forms, the multiplier, the mechanism. Definitions and sources:
@@ -61,6 +62,7 @@ struct Capacity {
   double loop_area = 0.0, dissipated = 0.0, stored = 0.0;  // J: work of the pattern's forces; losses; growth of the stored energy
   std::vector<Loop> loops;                                 // cyclic: complete cycles
   double collapse_movement = Bilinear::kNone, collapse_time = Bilinear::kNone;  // settlement: m of a support, s, at which it begins to fall
+  std::vector<HangingWall> hanging;                                             // settlement: walls that the ground has left, at the end
   std::vector<std::string> mechanism, mechanism_at_end;                         // bodies that move as one, with their motion
   double mechanism_time = 0.0;                                                  // s, time of the frame
   CapacityCurve curve;

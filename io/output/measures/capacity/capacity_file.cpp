@@ -68,6 +68,29 @@ std::string mechanisms(const Capacity& c) {
   return "mechanism            " + list(c.mechanism) + "\nmechanism at the end " + list(c.mechanism_at_end) + "\n";
 }
 
+double hanging_length(const Capacity& c) {
+  double sum = 0.0;
+  for (const HangingWall& h : c.hanging) sum += h.length;
+  return sum;
+}
+
+Json hanging_json(const std::vector<HangingWall>& walls) {
+  Json out = Json::array();
+  for (const HangingWall& h : walls)
+    out.push_back({{"wall", h.wall}, {"length", h.length}, {"from", h.from}, {"to", h.to}, {"gap", h.gap}, {"height", h.height}});
+  return out;
+}
+
+std::string hanging_text(const std::vector<HangingWall>& walls) {
+  std::string text;
+  for (const HangingWall& h : walls)
+    text += line(text.empty() ? "hangs" : "",
+                 "the ground has left the %s over %.2f m (%.2f to %.2f m from its left end): a gap of up to %.1f mm, at %.2f m%s",
+                 h.wall.c_str(), h.length, h.from, h.to, 1e3 * h.gap, h.height,
+                 &h == &walls.back() ? "; what is above hangs by the bond of its mortar" : "");
+  return text;
+}
+
 std::string loops_text(const std::vector<Loop>& loops) {
   std::string text;
   for (std::size_t k = 0; k < loops.size(); ++k) {
@@ -124,6 +147,7 @@ std::vector<Figure> figures_of(const Capacity& c) {
   if (c.kind == AnalysisKind::settlement) {
     f.push_back({"collapse_movement", c.collapse_movement, "m of a support (NaN: never)"});
     f.push_back({"collapse_time", c.collapse_time, "s (NaN: never)"});
+    f.push_back({"hanging_length", hanging_length(c), "m of walls that the ground has left, at the end"});
     return f;
   }
   f.push_back({"multiplier", c.multiplier, "1"});
@@ -162,6 +186,7 @@ std::vector<Figure> figures_of(const Capacity& c) {
 std::string capacity_json(const Capacity& c, bool with_curve) {
   Json out;
   for (const Figure& f : figures_of(c)) std::visit([&](const auto& value) { out[f.name] = value; }, f.value);
+  if (c.kind == AnalysisKind::settlement) out["hanging"] = hanging_json(c.hanging);
   if (c.kind == AnalysisKind::cyclic) out["loops"] = loops_json(c.loops);
   if (c.performance) out["performance"] = Json::parse(performance_json(*c.performance));
   if (c.control) {
@@ -192,7 +217,7 @@ std::string capacity_text(const Capacity& c) {
     text += std::isnan(c.collapse_movement)
                 ? line("fell", "%s; supports moved by %.4f m", on ? "not so far" : "never", c.curve.support_moved.back())
                 : line("fell", "after a movement of %.4f m, at %.2f s", c.collapse_movement, c.collapse_time);
-    return text + "mechanism at the end " + list(c.mechanism_at_end) + "\n";
+    return text + hanging_text(c.hanging) + "mechanism at the end " + list(c.mechanism_at_end) + "\n";
   }
   if (c.fallen_before > 0.0)
     text += line("before the load", "%.1f %% of the mass fell while gravity was put on: these figures are of the state after the fall",

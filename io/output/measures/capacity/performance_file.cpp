@@ -67,6 +67,8 @@ std::string performance_text(const Performance& p) {
         "equivalent system",
         printed("participation %.3f, m* %.2f t of %.2f t, effective %.1f %%, shape at %.3f mm of the control point", p.system.participation,
                 1e-3 * p.system.mass, 1e-3 * p.system.all_mass, 1e2 * p.system.effective_share(), 1e3 * p.system.shape_at));
+    if (p.system.participation < 1.0)
+      text += row_text("", "participation below 1: the control point moves less than other parts do, so F* is larger than the base shear");
   }
   for (const PerformancePoint& q : p.points) {
     text += row_text(q.words, std::isnan(q.target) ? "no target displacement" : demand_words(q, p));

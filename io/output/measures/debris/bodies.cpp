@@ -109,6 +109,7 @@ BodiesInFrame BodyFinder::find(double time, const std::vector<Pose>& poses) {
   for (std::size_t e = 0; e < start_.size(); ++e) nth(mass, component[e]) += building_.mass[e];
   std::map<std::int32_t, Body> by_root;
   std::map<std::int32_t, std::map<std::int32_t, double>> of_wall;
+  std::map<std::int32_t, double> of_gables;  // kg
   for (std::size_t e = 0; e < start_.size(); ++e) {
     const std::int32_t root = component[e];
     if (building_.mass[e] <= 0 || nth(mass, root) < kLeastBody * all_mass_) continue;
@@ -120,6 +121,7 @@ BodiesInFrame BodyFinder::find(double time, const std::vector<Pose>& poses) {
     b.rotation = b.rotation + m * turn_of(poses[e].rotation);
     b.box.include(building_.box[e]);
     of_wall[root][building_.wall[e]] += m;
+    of_gables[root] += building_.gable[e] != 0 ? m : 0.0;
   }
   std::vector<Body> bodies;
   for (auto& [root, b] : by_root) {
@@ -132,6 +134,7 @@ BodiesInFrame BodyFinder::find(double time, const std::vector<Pose>& poses) {
   number(bodies, component, out);
   for (Body& b : bodies) {
     const auto& walls = of_wall[b.wall];
+    b.gable = of_gables[b.wall] > 0.5 * b.mass;
     b.wall = std::ranges::max_element(walls, {}, [](const auto& w) { return w.second; })->first;
   }
   std::ranges::sort(bodies, {}, &Body::id);

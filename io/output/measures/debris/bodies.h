@@ -25,6 +25,7 @@ inline constexpr double kLeastBody = 0.01;
 struct Body {
   std::uint8_t id = 0;     // from 1; kept in the next frame by the body with most of this body's mass
   std::int32_t wall = -1;  // wall with most of its mass; −1: the roof, or no wall
+  bool gable = false;      // most of its mass is of gables
   bool on_ground = false;  // moves as one with the base
   double mass = 0;         // kg
   Vec3 centre;             // in the reference configuration, m

@@ -63,6 +63,8 @@ std::string motion_of(const Body& b, const Wall* w) {
 
 std::string body_name(const Body& b, const Building& building) {
   const Wall* wall = b.wall < 0 ? nullptr : &nth(building.walls, b.wall);
+  const auto gable = std::ranges::find(building.gables, b.wall, &Gable::wall);
+  if (b.gable && gable != building.gables.end()) wall = &gable->part;
   double all = 0;
   for (const double m : building.mass) all += m;
   if (!building.walls.empty() && b.mass > kBuilding * all)

@@ -12,6 +12,7 @@
 #include "geometry/vec3.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/hdf5_file.h"
+#include "io/output/replay/frame_reader.h"
 #include "io/output/replay/run_file.h"
 
 namespace voussoir::io {

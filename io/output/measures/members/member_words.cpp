@@ -60,10 +60,14 @@ std::string storeys_text(const Measures& m) {
   for (const auto& [number, walls] : storeys) {
     const double foot = std::ranges::min(walls, {}, &WallMeasures::foot)->foot, top = std::ranges::max(walls, {}, &WallMeasures::top)->top;
     out += printed("storey %.0f, %.2f to %.2f m\n", number, foot, top);
-    for (const WallMeasures* w : walls)
+    for (const WallMeasures* w : walls) {
       out += printed("  %-*s %12s %9s %10s %13s %9s %12s\n", width - 2, w->name.c_str(), percent(w->peak_storey_drift).c_str(),
                      seconds(w->peak_storey_drift_time).c_str(), percent(w->residual_storey_drift).c_str(), percent(w->peak_drift).c_str(),
                      seconds(w->peak_drift_time).c_str(), millimetres(w->peak_seat_slip).c_str());
+      if (!std::isnan(w->peak_gable_drift))
+        out += printed("  %-*s %12s %9s %10s %13s %9s\n", width - 2, "  its gable", "", "", "", percent(w->peak_gable_drift).c_str(),
+                       seconds(w->peak_gable_drift_time).c_str());
+    }
   }
   return out;
 }

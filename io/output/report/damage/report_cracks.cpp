@@ -41,6 +41,7 @@ std::string report_cracks(const Hdf5File& run, const cases::Case& c, const Frame
     for (const std::vector<double>& row : widths) of_frames.push_back(rounded_mm(row[i]));
     out["cracks"].push_back({{"wall", nth(building.walls, crack.wall).name},
                              {"length", crack.length},
+                             {"extent", crack.extent()},
                              {"peak", crack.peak},
                              {"peak_time", crack.peak_time},
                              {"at_end", crack.at_end},

@@ -181,9 +181,8 @@ TEST_CASE("a house that cracks under its own weight: a warning with how many and
   const std::string name = folder.write("case.toml", kSmallHouse), out = folder.path("out");
   const Outcome o = voussoir("run " + name + " --quiet -j 1 -o " + out);
   REQUIRE(o.code == 0);
-  CHECK(says(
-      o, {"warning: ", " contact points of joints broke under the building's own weight, while it settled (", " in tension",
-          "Where: ", " wall ", "between z = ", "first crack          while settling, at -", "afterwards none", "of them settling"}));
+  CHECK(says(o, {"warning: ", " contact points of joints broke under the building's own weight, while it settled (", " in tension",
+                 "Where: ", " wall ", "between z = ", "first crack          while settling, at -", "afterwards none", "of them settling"}));
   // Shares of the parts add up to all of it, but for rounding.
   const std::string where = o.text.substr(o.text.find("Where: "), o.text.find("between z = ") - o.text.find("Where: "));
   int shares = 0, parts = 0;
@@ -193,8 +192,8 @@ TEST_CASE("a house that cracks under its own weight: a warning with how many and
   CHECK(shell::run("grep -q '^frame_interval = 0.02 ' " + shell::quoted(out + "/case.toml")).code == 0);  // in place of "auto"
   CHECK(std::abs(shares - 100) <= parts);
   const Outcome s = voussoir("summary " + out);
-  CHECK(says(
-      s, {"first crack          while settling; afterwards never", "broken by settling   ", "; afterwards 0", "points of settling"}));
+  CHECK(
+      says(s, {"first crack          while settling; afterwards never", "broken by settling   ", "; afterwards 0", "points of settling"}));
   CHECK(is_silent_of(s, "from 0.000 s"));
   CHECK(says(voussoir("summary " + out + " --format json"),
              {"\"settling_cracks\": ", "\"shaking_cracks\": 0", "\"settling_first_crack_time\": -",
@@ -267,6 +266,7 @@ TEST_CASE("check tells of what nothing has, of motions that no record has, and o
   CHECK(is_silent_of(pushover, "motion along"));
   CHECK(says(level, {"warning: motion.intensity is a geometric mean, and one horizontal component is ", "scale = [1, 0, 1]"}));
   CHECK(says(level, {"warning: motion.intensity: the whole record has PGA = 2 m/s2, but up to the end of the run, at 1 s, it is "}));
+  CHECK(says(level, {" along x, ", " along y); motion.to cuts the record before it is measured"}));
   CHECK(says(strong, {"warning: the motion ends at 0.02 s: the ground is still until the run ends, at "}));
 
   const std::string loose = folder.write("loose.toml", std::string(kSmallHouse) +

@@ -62,6 +62,20 @@ TEST_CASE("the page of a run shows the motion that shook it though its record's 
   CHECK(has(shell::text_of(page), R"("peak":[1.5,)"));
 }
 
+TEST_CASE("the page tells the peaks of what was shaken where the run ends before its record") {
+  const TempFolder folder;
+  const std::string house = folder.write("case.toml", std::string(kHead) + kBlock), out = folder.path("out"), page = out + "/report.html";
+  const std::string whole = folder.write("whole.csv", constant("1.5")),
+                    longer = folder.write("long.csv", constant("1.5") + "0.06, 9\n0.08, 9\n");
+  for (const std::string& record : {whole, longer}) {
+    REQUIRE(voussoir_says("run " + house + " --quiet -j 1 --overwrite --motion x=" + record + " -o " + out).code == 0);
+    REQUIRE(voussoir_says("report " + out + " --overwrite").code == 0);
+    const std::string text = shell::text_of(page);
+    CHECK(has(text, R"("peak":[1.5,)"));
+    CHECK((text.find(R"("until":0.04)") != std::string::npos) == (record == longer));
+  }
+}
+
 TEST_CASE("the page of a run of stones has mode shapes, unless their file now holds others") {
   const TempFolder folder;
   const std::string stones = "[[stones]]\nfile = \"stone.obj\"\nunit = \"m\"\nmaterial = \"stone\"\n";

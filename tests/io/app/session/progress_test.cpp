@@ -50,6 +50,10 @@ TEST_CASE("the line") {
   at_rest.states = 12, at_rest.factor = 0.25, at_rest.unbalanced = 3e-4;
   CHECK(format_progress(at_rest, 12345.2, 130.0) ==
         "12 states of rest, load factor 0.2500, unbalanced 3.0e-04  12,345 steps/s  1,234 broken  energy error 1.2e-06");
+  at_rest.headway = "supports moved by 12.0 of 30.0 mm, 4 of 10 s of their histories";
+  CHECK(format_progress(at_rest, 12345.2, 130.0) ==
+        "12 states of rest, supports moved by 12.0 of 30.0 mm, 4 of 10 s of their histories, unbalanced 3.0e-04  12,345 steps/s  "
+        "1,234 broken  energy error 1.2e-06");
   CHECK(format_progress(s, 3.14, std::nullopt) == "settling, -0.530 s  3.1 steps/s  time left unknown  1,234 broken  energy error 1.2e-06");
 }
 

@@ -157,6 +157,9 @@ TEST_CASE("motion intensity: what is refused") {
   CHECK(with("measure = \"PGV\"\nlevel = 1\nperiod = 1").find("goes with measure = \"Sa\" alone") != std::string::npos);
   CHECK(refusal(kRecord + "scale = 2.0\n[motion.intensity]\nmeasure = \"PGA\"\nlevel = 1").find("has no effect beside motion.intensity") !=
         std::string::npos);
+  CHECK(refusal(kRecord + "scale = 2.0\n[motion.intensity]\nmeasure = \"PGA\"\nlevel = 1")
+            .find("motion.intensity.level says how strong the motion is; in a study the levels of [intensity], in place of scales") !=
+        std::string::npos);
   CHECK(refusal(kRecord + "scale = [0.0, 0.0, 1.0]\n[motion.intensity]\nmeasure = \"PGA\"\nlevel = 1")
             .find("motion.intensity: cannot be PGA = 1 m/s2: of the horizontal components as they are it is 0") != std::string::npos);
 }

@@ -12,6 +12,7 @@
 #include "io/output/assess/crack_map.h"
 #include "io/output/assess/floor_spectra.h"
 #include "io/output/measures/measures.h"
+#include "io/output/measures/point_accelerations.h"
 #include "io/output/results/case_of_run.h"
 #include "tests/cases/paper_house.h"
 #include "tests/io/results_fixture.h"
@@ -169,12 +170,17 @@ TEST_CASE("assess: widths of a crack that opens by 1 mm and slides by 2 mm; its 
     CHECK(crack.z[0] == doctest::Approx(kBed));
     CHECK(crack.z[1] == doctest::Approx(kBed));
     CHECK(crack.length == doctest::Approx(i == left ? 2.0 : 2.4));
+    CHECK(crack.extent() == doctest::Approx(i == left ? 2.0 : 2.4));
     CHECK(crack.width == doctest::Approx(f.largest).epsilon(1e-3));
     CHECK(crack.peak == doctest::Approx(f.largest).epsilon(1e-3));
     CHECK(crack.peak_time == 1.0);
     CHECK(crack.at_end == doctest::Approx(0.05e-3).epsilon(2e-2));
   }
   CHECK(nlohmann::json::parse(assessment_json(a, {}, {}))["cracks"].size() == 2);
+  CHECK(assessment_text(a, {}, {}).find("branches, the sum of their lengths") != std::string::npos);
+  Crack net;
+  net.along = {1.0, 4.0}, net.z = {2.0, 6.0}, net.length = 28.0;  // m: branches make it longer than it is wide and high
+  CHECK(net.extent() == doctest::Approx(5.0));
   const std::string map = crack_map(file, "wall", building, 0, a.time, a.joints, a.fallen, a.cracks);
   for (const char* label : {">1: 2.2<", ">2: 2.2<"}) CHECK(count(map, label) == 1);
   const std::string colour = std::string("stroke=\"") + kCrackClasses[2].colour;  // 1 to 5 mm
@@ -309,6 +315,48 @@ TEST_CASE("assess: base shear over the weight, forces through cuts") {
   const auto json = nlohmann::json::parse(assessment_json(a, {}, {}));
   CHECK(json["cuts"][0]["axial"]["value"] == -900.0);
   CHECK(assessment_text(a, {}, {}).find("bed") != std::string::npos);
+}
+
+TEST_CASE("assess: the peak base shear is that of summary where the run saw more than its rows") {
+  Shifted run(wall_with_window());
+  run.frame(0.0, {});
+  run.results().forces({0.2, {300.0, -400.0, 0.0}, {}});
+  solver::Summary s;
+  s.peak_base_shear = 520.0;
+  run.results().summary(s);
+  const Hdf5File file = run.done();
+  const Assessment a = assessed(file, {}, {});
+  CHECK(a.base_shear.value == doctest::Approx(520.0));
+  CHECK(a.base_shear.time == doctest::Approx(0.2));
+  CHECK(assessment_text(a, {}, {}).find("base shear               0.5 kN at most") != std::string::npos);
+}
+
+TEST_CASE("assess: peaks of accelerations are those of summary, below 50 Hz, and the words say so") {
+  for (const double step : {0.001, 0.02}) {  // the second is too coarse for the low-pass
+    CAPTURE(step);
+    Shifted run(wall_with_window());
+    run.frame(0.0, {});
+    for (int i = 0; i <= 1000; ++i) {
+      const double t = step * i, ring = 0.01 * std::sin(2.0 * 3.14159265358979 * 200.0 * t);
+      run.results().history(t, std::array{solver::HistorySample{{}, {0.3 * std::sin(10.0 * t) + ring, 0.1 * std::sin(10.0 * t), 0.0}, {}}});
+    }
+    const Hdf5File file = run.done();
+    const std::vector<std::string> names{"top"};
+    const std::vector<FloorAcceleration> points = floor_accelerations(file, names, {});
+    REQUIRE(points.size() == 1);
+    const std::string words = assessment_text(assessed(file, {}, {}), points, {});
+    const PointAccelerations of_summary = point_accelerations(file);
+    CHECK(points[0].low_passed == (step == 0.001));
+    if (step > 0.001) {
+      CHECK(words.find("points: not filtered") != std::string::npos);
+      continue;
+    }
+    REQUIRE(of_summary.points.size() == 1);
+    CHECK(points[0].peak_horizontal == of_summary.points[0].peak_horizontal);
+    CHECK(points[0].peak[0] == doctest::Approx(3.1).epsilon(0.06));  // the ringing has 12.6 m/s2
+    CHECK(words.find("points: below 50 Hz, as in summary") != std::string::npos);
+    CHECK(nlohmann::json::parse(assessment_json(assessed(file, {}, {}), points, {}))["points"][0]["low_pass"] == 50.0);
+  }
 }
 
 TEST_CASE("assess: acceleration of a point and its spectrum") {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/output/measures/capacity/capacity_file.h"
+#include "tests/io/results_fixture.h"
 
 // Figures of capacity curves that can be worked out by hand.
 
@@ -228,4 +229,29 @@ TEST_CASE("capacity: an arch falls when it moves faster than it follows its supp
   const Capacity got = capacity_of(cases::AnalysisKind::settlement, 0.2, kPace, kWeight, 1e-3, c);
   CHECK(got.collapse_movement == doctest::Approx(0.01 * c.time[80]));
   CHECK(std::isnan(capacity_of(cases::AnalysisKind::settlement, 0.2, kPace, kWeight, 10.0, c).collapse_movement));
+}
+
+TEST_CASE("capacity: states of rest that stop short of the longest time have come to it once the run has") {
+  const auto ended = [](double end) {
+    const test::TempFolder folder;
+    ResultsWriter writer(folder.path(), test::two_cubes(), std::string(test::kCase) + "\n[analysis]\nkind = \"pushover\"\nlongest = 3.0\n",
+                         test::kNames, {}, test::by_hand());
+    solver::Drive drive;
+    drive.frequency = 10.0, drive.pace = 2.0, drive.weight = kWeight;
+    writer.drive(drive);
+    for (int i = 0; i <= 28; ++i) {
+      solver::EnergyRow energy;
+      energy.time = 0.1 * i;
+      writer.energy(energy);
+      writer.forces({0.1 * i, {-1.0 * i, 0.0, 0.0}, {}});
+      writer.assessment({0.1 * i, 0.01 * i, 0.001 * i, 0.002 * i, 0.001 * i, 1.0 * i, 0.0, 0.0});
+    }
+    solver::Summary summary;
+    summary.end_time = end;
+    writer.summary(summary);
+    writer.finish();
+    return capacity_of(Hdf5File::open(folder.file("run.h5")))->ended;
+  };
+  CHECK(ended(3.0) == "longest");
+  CHECK(ended(2.8) == "not yet");
 }

@@ -9,6 +9,7 @@
 
 #include "io/output/measures/capacity/capacity_file.h"
 #include "io/output/measures/capacity/equivalent_system.h"
+#include "io/output/measures/capacity/performance_file.h"
 
 // N2 and the capacity spectrum against numbers worked out apart from the program (a script of twenty lines), and what must not change them.
 
@@ -221,6 +222,12 @@ TEST_CASE("performance: its figures stand among those of the capacity") {
   CHECK(json["near_collapse"].get<double>() == about(c.near_collapse));
   const std::string text = capacity_text(c);
   CHECK(text.find("participation 1.200, m* 6.00 t of 8.00 t, effective 90.0 %") != std::string::npos);
+  CHECK(text.find("participation below 1") == std::string::npos);
+  Performance less = *c.performance;
+  less.system.participation = 0.82;
+  CHECK(
+      performance_text(less).find("participation below 1: the control point moves less than other parts do, so F* is larger than the base "
+                                  "shear") != std::string::npos);
   CHECK(text.find("target displacement 4.63 mm (d*_t 3.86 mm); demand over capacity 0.818 (near collapse 5.67 mm)") != std::string::npos);
   CHECK(text.find("F*_y 8.33 kN, d*_y 0.833 mm, T* 0.1539 s, S_e 2.942 m/s2, q_u 2.118, d*_et 1.765 mm") != std::string::npos);
 }

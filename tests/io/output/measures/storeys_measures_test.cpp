@@ -3,8 +3,10 @@
 #include <cmath>
 #include <string>
 
+#include "io/input/files/errors.h"
 #include "io/output/measures/building.h"
 #include "tests/io/output/measures/hut.h"
+#include "tests/io/results_fixture.h"
 
 // Walls, rooms and drift of houses with storeys and inner walls, and of blocks that name their part.
 namespace voussoir::io {
@@ -82,6 +84,23 @@ TEST_CASE("walls of storeys and inner walls are walls of their own") {
   CHECK(!lower.inner);
 }
 
+TEST_CASE("heights are above the base, and without a base those of the case, whatever lies below") {
+  const std::string ground = "[[block]]\nname = \"ground\"\nmaterial = \"adobe\"\nfixed = true\nbox = [[0, 0, -0.5], [2.4, 1.6, 0]]\n";
+  std::string no_base = kStoreys + ground, high = kStoreys;
+  no_base.replace(no_base.find("[base]\nz = 0.0\n"), 15, "");
+  high.replace(high.find("z = 0.0"), 7, "z = 3.0");
+  for (const std::string& text : {kStoreys, no_base, high}) {
+    CAPTURE(text);
+    Hut hut(text);
+    hut.frame(0.0, stays);
+    const Measures m = hut.measures();
+    CHECK(wall(m, "rear wall, storey 1").foot == doctest::Approx(0.0));
+    CHECK(wall(m, "rear wall, storey 1").top == doctest::Approx(0.6));
+    CHECK(wall(m, "rear wall, storey 2").foot == doctest::Approx(0.6));
+    CHECK(wall(m, "rear wall, storey 2").top == doctest::Approx(1.0));
+  }
+}
+
 TEST_CASE("rooms are those between the walls of a storey, under its floor") {
   Hut hut(kStoreys);
   hut.frame(0.0, stays);
@@ -156,6 +175,26 @@ TEST_CASE("storey drift of an inner wall counts along x or y, that of the walls 
     CHECK(drift(along_x ? "front wall, storey 1" : "right wall, storey 1") == doctest::Approx(0.003 / 0.6));
     CHECK(drift(along_x ? "rear wall, storey 1" : "left wall, storey 1") == doctest::Approx(-0.003 / 0.6));
   }
+}
+
+TEST_CASE("a house that is turned by no quarter, and a base at no height, are refused by their keys") {
+  const auto refused = [](const std::string& toml) {
+    const TempFolder folder;
+    ResultsWriter writer(folder.path(), two_cubes(), kCase + toml, kNames, {}, by_hand());
+    record(writer, 0);
+    writer.finish();
+    try {
+      building_of(Hdf5File::open(folder.file("run.h5")));
+    } catch (const FileError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  CHECK(refused("[house]\nturn = 270\n").empty());
+  for (const char* turn : {"-540", "1e300", "45"})  // the first once indexed walls by -1
+    CHECK(refused(std::string("[house]\nturn = ") + turn + "\n").find("house.turn = ") != std::string::npos);
+  CHECK(refused("[house]\nturn = nan\n").find("house.turn is no finite number") != std::string::npos);
+  CHECK(refused("[base]\nz = -inf\n").find("base.z is no finite number") != std::string::npos);
 }
 
 }  // namespace voussoir::io

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <array>
 #include <string>
@@ -36,8 +38,8 @@ void push(ResultsWriter& writer, const Each& each) {
 }
 
 /// A pushover of the two cubes. \return why the page does not take `limit`, or what it makes of
-/// it
-std::string opinion_on(const std::string& limit) {
+/// it \param pipe  in place of the file
+std::string opinion_on(const std::string& limit, bool pipe = false) {
   const TempFolder folder;
   ResultsWriter writer(folder.path(), two_cubes(), std::string(kCase) + "\n[analysis]\nkind = \"pushover\"\ndirection = [0.0, 2.0]\n",
                        kNames, {}, by_hand());
@@ -45,6 +47,7 @@ std::string opinion_on(const std::string& limit) {
   push(writer, [](int) {});
   writer.finish();
   if (!limit.empty()) write_text_file(folder.file("limit.json"), limit);
+  if (pipe) REQUIRE(::mkfifo(folder.file("limit.json").c_str(), 0600) == 0);
   const Hdf5File run = Hdf5File::open(folder.file("run.h5"));
   const LoadedCase c = read_case({"case.toml", run.attribute_text("/case", "toml")});
   std::vector<page::Plot> plots;
@@ -90,6 +93,26 @@ TEST_CASE("limit analysis stands beside a pushover as a second opinion, with the
   CHECK(opinion_on(limit_of("a wall", y, 7)).find("limit.json: is of another case, \"a wall\"") != std::string::npos);
   for (const char* text : {"{", "[1, 2]", R"({"title": "two cubes"})"})
     CHECK(opinion_on(text).find("limit.json: is not what `voussoir limit CASE --format json` writes") != std::string::npos);
+}
+
+TEST_CASE("limit.json is what the program writes in every member that the page shows, and a regular file") {
+  const std::string good = limit_of("two cubes", "[0.0, 1.0, 0.0]", 7);
+  const auto with = [&](const std::string& old, const std::string& put) {
+    const std::size_t at = good.find(old);
+    REQUIRE(at != std::string::npos);
+    return opinion_on(std::string(good).replace(at, old.size(), put));
+  };
+  CHECK(with("0.21", "null").find("\"associated\":null") != std::string::npos);
+  CHECK(with("{\"multiplier\": 0.19}", "null").find("\"coulomb\":null") != std::string::npos);
+  CHECK(with("\"mortar_joints\": 7", "\"mortar_joints\": 4294967297").find("strength of 4294967297 joints") != std::string::npos);
+  const std::string refusal = "limit.json: is not what `voussoir limit CASE --format json` writes";
+  CHECK(with("{\"multiplier\": 0.21}", "{}").find(refusal) != std::string::npos);
+  CHECK(with("0.21", "\"<b>\"").find(refusal) != std::string::npos);
+  CHECK(with("\"mortar_joints\": 7", "\"mortar_joints\": 1e300").find(refusal) != std::string::npos);
+  CHECK(with("\"mortar_joints\": 7", "\"mortar_joints\": -1").find(refusal) != std::string::npos);
+  CHECK(with("[0.0, 1.0, 0.0]", "[0.0, 1.0]").find(refusal) != std::string::npos);
+  CHECK(with("0.076", "\"\"").find(refusal) != std::string::npos);
+  CHECK(opinion_on("", true).find("limit.json: is not a regular file") != std::string::npos);
 }
 
 TEST_CASE("capacity and demand stand in one diagram, where there is a demand") {

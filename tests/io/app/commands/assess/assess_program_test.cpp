@@ -69,6 +69,9 @@ TEST_CASE("limit: multiplier and mechanism in words and as JSON" * doctest::skip
   CHECK(json["coulomb"]["parts"][0]["elements"] == Json::array({0}));
   CHECK(shell::text_of(w.folder.path("m.csv")).starts_with("flow,element,tag,part,vx,vy,vz,wx,wy,wz\nassociated,0,\"block\",1,"));
   CHECK(w.run("limit block.toml --quiet --mechanism m.csv").code == 3);  // it is there already
+  const shell::Outcome damped = w.run("limit block.toml --quiet --set 'damping.frequency=\"auto\"'");
+  CHECK(damped.code == 0);
+  CHECK(damped.text.find("damping.frequency") == std::string::npos);  // nothing is damped, so no mode is computed
   const shell::Outcome bad = w.run("limit block.toml --direction up");
   CHECK(bad.code == 2);
   CHECK(bad.text.find("--direction: \"up\" is none; allowed: x, -x, y, -y, z, -z, degrees") != std::string::npos);
@@ -122,6 +125,7 @@ TEST_CASE("assess: the map of a wall lies in its folder whatever the wall's name
   CHECK_MESSAGE(o.code == 0, o.text);
   for (const char* name : {"maps/_.-x-wall-0.100s.svg", "maps/a-b-wall-0.100s.svg", "maps/a-b-wall_-0.100s.svg"})
     CHECK_MESSAGE(std::filesystem::exists(w.folder.path(name)), o.text);
+  CHECK_MESSAGE(o.text.find("maps/") > o.text.find("acceleration [m/s2]"), o.text);  // names of maps after all tables
 }
 
 TEST_CASE("assess: the motion of the base is the run's, though its record has gone") {
