@@ -25,8 +25,8 @@ constexpr double kStepBack = 0.995;                  // of the way to the bounda
 constexpr double kPivot = 1e-13;                     // of a diagonal entry: what keeps pivots of redundant equations off zero
 constexpr double kShifts[] = {1e-13, 1e-15, 1e-17};  // of the mean diagonal entry, likewise
 constexpr int kRefinements = 3;                      // of a solution of the normal equations, and of a step
-constexpr double kMissed = 0.1;                      // of what the equations miss, or may miss in the end: what a step may leave
-constexpr double kRefined = 1e-12;                   // relative residual of the normal equations that is good enough
+constexpr double kMissed = 0.1;     // of the equations' residual, or of its tolerance if that is larger: what a step may leave
+constexpr double kRefined = 1e-12;  // relative residual of the normal equations that is good enough
 
 /// A D Aᵀ with D diagonal and positive, for its inverse: the first column of A is kept apart, by Sherman and Morrison's formula.
 class NormalEquations {
