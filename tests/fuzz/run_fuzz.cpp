@@ -127,7 +127,8 @@ class Sample {
       case 3:
         return tried([&] { fuzz::compare(run, good_, summary_); });
       case 4:
-        return tried([&] { io::check_run(bad_); });
+        tried([&] { io::check_run(bad_); });
+        return tried([&] { fuzz::go_on(bad_, good_, edits.size()); });
       case 5:
         return tried([&] { io::write_paraview(bad_, true); });
       case 6:

@@ -3,6 +3,7 @@
 #include "tests/fuzz/run_readers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -25,6 +26,7 @@
 #include "io/output/report/report_data.h"
 #include "io/output/results/case_of_run.h"
 #include "io/output/results/comparison.h"
+#include "io/output/results/results_parts.h"
 #include "solver/analysis/modes.h"
 #include "tests/fuzz/run_image.h"
 
@@ -69,6 +71,20 @@ std::string limit_text(const io::Hdf5File& run, std::span<const std::uint8_t> ed
     text.replace(at, std::min<std::size_t>(edits[0] % 32U, text.size() - at), put);
   }
   return text;
+}
+
+/// Which rows a run has, by what is in its file.
+io::RowSchema schema_of(const io::Hdf5File& run) {
+  const auto names = [&](const std::string& group) {
+    std::vector<std::string> groups;
+    if (!run.exists(group)) return groups;
+    for (const std::string& name : run.children(group))
+      if (run.is_group(group + "/" + name)) groups.push_back(name);
+    return groups;
+  };
+  const auto columns = [&](const char* dataset) { return run.exists(dataset) ? run.shape(dataset).at(1) : 0; };
+  return io::row_schema(names("/history"), run.shape("/model/element/mass").at(0), names("/cuts"), columns("/ties/force"),
+                        columns("/meshes/force"), columns("/loaded/force"));
 }
 
 }  // namespace
@@ -146,6 +162,30 @@ void compare(const std::string& run, const std::string& good, const std::string&
   io::compare_files(run, good);
   const std::string found = summary(io::open_run(run));
   io::measures_beside(found, summary_of_good), io::measures_beside_json(found, summary_of_good);
+}
+
+void go_on(const std::filesystem::path& folder, const std::string& good, std::size_t when) {
+  const std::filesystem::path copy = folder.string() + "-gone-on";
+  const struct Away {
+    const std::filesystem::path& path;
+    ~Away() {
+      std::error_code ignored;
+      std::filesystem::remove_all(path, ignored);
+    }
+  } away{copy};
+  std::filesystem::copy(folder, copy, std::filesystem::copy_options::recursive);
+  const io::Hdf5File run = io::open_run(good);
+  const io::RowSchema schema = schema_of(run);
+  constexpr std::array kUntil{1e9, 0.5, 0.0};  // s
+  io::EarlierRows earlier{kUntil.at(when % kUntil.size()), std::nullopt};
+  const std::vector<io::Part> parts = io::keep_parts(copy, schema, earlier);
+  io::remove_parts(copy, parts);
+  earlier.rows = io::rows_of(parts);
+  try {  // as after a kill before anything else was written
+    if (io::keep_parts(copy, schema, earlier).size() != parts.size()) std::abort();
+  } catch (const io::FileError&) {
+    std::abort();
+  }
 }
 
 }  // namespace voussoir::fuzz

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 
@@ -28,5 +29,9 @@ void report_with_limit(const std::string& run, std::span<const std::uint8_t> edi
 
 /// `voussoir compare`. \param summary_of_good  of a run to compare with
 void compare(const std::string& run, const std::string& good, const std::string& summary_of_good);
+
+/// `voussoir resume`, as far as it reads results: which rows stay, in a copy of the folder. Done again, as after a kill, the same rows
+/// stay. \param good  a run of the same model \param when  chooses up to which time
+void go_on(const std::filesystem::path& folder, const std::string& good, std::size_t when);
 
 }  // namespace voussoir::fuzz
