@@ -70,7 +70,8 @@ void check(const io::Checkpoint& c, std::size_t file_bytes) {
   }
   for (const cases::SupportHistory& h : c.facts.supports) {
     require(h.time.size() == h.displacement.size() && h.time.size() != 1 && std::ranges::is_sorted(h.time));
-    bytes += h.time.size() * 4 * sizeof(double);
+    require(h.rotation.empty() || h.rotation.size() == h.time.size());
+    bytes += (h.time.size() * 4 + h.rotation.size() * 3) * sizeof(double);
   }
   for (const auto& stones : c.facts.stones)
     for (const cases::Stone& s : stones)

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "cases/case.h"
+#include "io/input/files/errors.h"
 #include "io/output/assess/assess_words.h"
 #include "io/output/assess/crack_map.h"
 #include "io/output/measures/capacity/capacity_file.h"
