@@ -11,6 +11,7 @@ const rate = (c) => (is(c.unbalanced) ? "of states of rest" : `without inertia a
 /** What stands in large type: [name, value, small print]. @param c  null or undefined: a time history */
 export function capacityKeys(c) {
   if (!c) return [];
+  if (c.kind === "rest") return [["At rest", percent(c.share, 1), "of the loads that grow and of the supports' ways"]];
   if (c.kind === "settlement") return [["Fell after", is(c.collapse_movement) ? `${c.collapse_movement.toFixed(3)} m` : "never", "movement of a support"]];
   if (c.kind === "cyclic") return [["Load factors", `${c.least_factor.toFixed(2)} … ${c.multiplier.toFixed(2)}`, `${c.loops?.length ?? 0} whole cycles`], ["Lost in the loops", fixed(c.dissipated, 1, "J"), `of ${fixed(c.loop_area, 1, "J")} put in`]];
   return [
@@ -43,11 +44,15 @@ function demandRows(p) {
 
 const control = (c) => (c.control ? [["Control point", `${c.control.part}, element ${c.control.element}, at (${c.control.position.map((x) => x.toFixed(2)).join(", ")}) m`]] : []);
 
+/** Walls that the ground has left: [name, value]. */
+const hanging = (c) => (c.hanging ?? []).map((h) => [`Ground has left the ${h.wall}`, `over ${h.length.toFixed(2)} m (${h.from.toFixed(2)} to ${h.to.toFixed(2)} m from its left end), by up to ${millimetres(h.gap)} at ${h.height.toFixed(2)} m; what is above hangs by its mortar`]);
+
 /** Rows of a table: [name, value]. */
 export function capacityTable({ facts }) {
   const c = facts.capacity;
   if (!c) return [];
-  if (c.kind === "settlement") return [...control(c), ["Fell at", fixed(c.collapse_time, 2, "s")], ["Mechanism at the end", c.mechanism_at_end.join("; ")]];
+  if (c.kind === "rest") return [...control(c), ["Unbalanced, of an element's mean weight", is(c.unbalanced) ? c.unbalanced.toExponential(1) : "–"], ...hanging(c), ["Mechanism at the end", c.mechanism_at_end.join("; ")]];
+  if (c.kind === "settlement") return [...control(c), ["Fell at", fixed(c.collapse_time, 2, "s")], ...hanging(c), ["Mechanism at the end", c.mechanism_at_end.join("; ")]];
   const loops = (c.loops ?? []).flatMap((l, i) => [
     [`Loop ${i + 1}, ${millimetres(l.least)} to ${millimetres(l.most)}`, fixed(l.area, 2, "J")],
     [`… ${i + 1} lost, stored`, `${l.dissipated.toFixed(2)}, ${l.stored.toFixed(2)} J`],
