@@ -18,6 +18,8 @@ class Block:
     part: str = ""
     velocity: numpy.ndarray = None
     spin: numpy.ndarray = None  # angular velocity
+    motion: numpy.ndarray = None  # of a fixed one: rows of t, x, y, z, rx, ry, rz
+    about: numpy.ndarray = None  # point about which it turns; none: its centroid
 
     def middle(self):
         return self.vertices.mean(axis=0)
@@ -114,7 +116,7 @@ def upright(block):
     return None
 
 
-def block_lines(block):
+def block_lines(block, folder):
     entries = {"name": block.name, "material": block.material}
     box = upright(block)
     if box:
@@ -122,6 +124,10 @@ def block_lines(block):
     else:
         entries |= {"vertices": block.vertices, "faces": [list(f) for f in block.faces]}
     entries |= {"fixed": True if block.fixed else None, "part": block.part or None, "velocity": block.velocity, "angular_velocity": block.spin}
+    if block.motion is not None:
+        file = f"motion-{block.name.replace(' ', '-')}.csv"
+        (folder / file).write_text("t,x,y,z,rx,ry,rz\n" + "\n".join(",".join(number(x) for x in row) for row in block.motion) + "\n")
+        entries["motion"] = {"file": file} | ({} if block.about is None else {"about": block.about})
     return table("[[block]]", entries)
 
 
@@ -157,7 +163,7 @@ def structure_lines(case, folder):
                                       "snap": 1e-5})
     else:
         for block in case.blocks:
-            lines += block_lines(block)
+            lines += block_lines(block, folder)
     return lines
 
 

@@ -163,6 +163,21 @@ def load_slowly(rng, case):
         case.capacity = {"kind": rng.choice(["pushover", "tilt"]), "direction": [math.cos(angle), math.sin(angle)]}
 
 
+def move_a_support(rng, case):
+    """A support of some models moves a little, and turns about its centroid or about a point."""
+    fixed = [b for b in case.blocks if b.fixed]
+    if case.house or case.unit or case.capacity or not fixed or rng.random() < 0.6:
+        return
+    block, size = rng.choice(fixed), max(float(numpy.ptp(b.vertices, axis=0).max()) for b in case.blocks)
+    times = [case.times["duration"] * k / 4.0 for k in range(5)]
+    rows = [[t] + [rng.uniform(-1e-4, 1e-4) * (size if k < 3 else 1.0) for k in range(6)] for t in times]
+    rows[0][1:] = [0.0] * 6
+    block.motion = numpy.array(rows)
+    if rng.random() < 0.5:
+        block.about = block.vertices.mean(axis=0) + numpy.array([rng.uniform(-size, size) for _ in range(3)])
+    case.kind += ", a support turns"
+
+
 def on_raster(case):
     """All points on a raster so fine that a point moved by 10,000 km is still a double without rounding."""
     def nearest(p):
@@ -218,5 +233,6 @@ def drawn(rng):
     angle = math.radians(rng.uniform(0.0, 360.0))
     case.live = numpy.array([math.cos(angle), math.sin(angle), 0.0])
     load_slowly(rng, case)
+    move_a_support(rng, case)
     on_raster(case)
     return case

@@ -29,6 +29,7 @@ def points_moved(case, move):
     """All points of the case by a function of points."""
     for b in case.blocks:
         b.vertices = move(b.vertices)
+        b.about = None if b.about is None else move(b.about)
     for load in case.loads:
         load.at = None if load.at is None else move(load.at)
     for tie in case.ties:
@@ -73,6 +74,8 @@ def turn_all(case, R):
         b.faces = b.faces if numpy.linalg.det(R) > 0.0 else tuple(f[::-1] for f in b.faces)
         b.velocity = None if b.velocity is None else R @ b.velocity
         b.spin = None if b.spin is None else axial @ b.spin
+        if b.motion is not None:
+            b.motion = numpy.hstack([b.motion[:, :1], b.motion[:, 1:4] @ R.T, b.motion[:, 4:] @ axial.T])
     return out
 
 
@@ -272,6 +275,8 @@ def scaled(rng, case):
     for b in out.blocks:
         b.velocity = None if b.velocity is None else b.velocity * root
         b.spin = None if b.spin is None else b.spin / root
+        if b.motion is not None:
+            b.motion = b.motion * numpy.array([root, factor, factor, factor, 1.0, 1.0, 1.0])
     absolute = ("summary: settled", "settled", "summary: touching", "summary: deep", "summary: debris", "acceleration ")  # the last: below 50 Hz
     return out, Change(scale=factor, detail=f"by {factor}", commands=commands, leave_out=absolute)
 
