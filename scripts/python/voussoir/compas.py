@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Problems of COMPAS (compas_dem, or any assembly in its JSON) in, displacements and contact forces out. COMPAS itself is not needed.
 
-    model = voussoir.compas.model_of("problem.json")       # stones, supports, material, friction, loads
+    solution = voussoir.compas.solve(problem)              # a compas_dem Problem, or a file of one: forces and displacements at rest
+
+    model = voussoir.compas.model_of("problem.json")       # or step by step: stones, supports, materials, contact law, loads
     voussoir.compas.follow_contacts(model)                 # the force between every two stones that touch
     run = model.run("results/problem", until=1.0)
     voussoir.compas.write(run, "solution.json")            # compas.json_load reads it
@@ -17,6 +19,7 @@ import warnings
 from collections.abc import Iterator
 from typing import Any
 
+from .compas_problem import Motion, Problem
 from .errors import FileError, InputError, ProgramWarning
 from .model import Model
 from .results import Results, rotation_matrices  # first: says which package is missing
@@ -27,36 +30,40 @@ _RAMP = [0.0, 0.5]  # s, of loads that COMPAS calls "ramp"
 _HALF = 1e-3  # m, of the box about the middle of two stones, by which their contact is told from others
 
 
-def model_of(path: str | os.PathLike[str], *, unit: str = "m", young: float | None = None, **stones: Any) -> Model:
+def model_of(path: str | os.PathLike[str], *, unit: str = "m", young: float | None = None, at_rest: bool = False, unprescribed: str = "refuse",
+             **stones: Any) -> Model:
     """A Model from a problem, a model, an assembly or a list of meshes, as written by `compas.json_dump`.
 
-    Used: stones by the numbers of their nodes (or their names, where all differ), supports, the material (density, Ecm in MPa, poisson), the
-    angle of friction, gravity, body forces, point loads and surface loads. Ignored, with a warning: cohesion and stiffnesses of contacts.
-    Prescribed displacements other than zero raise InputError. Without gravity and body forces, weight acts all the same, since nothing else would
-    hold an assembly together. young: Pa, in place of Ecm. stones: keys of [[stones]], as snap, gap, place.
+    Used: stones by the numbers of their nodes (or their names, where all differ), supports, materials by block (density, Ecm in MPa, poisson), the
+    contact law (angle of friction; c and t_c in Pa, k_n and k_t in Pa/m), gravity, body forces, point loads and surface loads. Without gravity and
+    body forces, weight acts all the same, since nothing else would hold an assembly together. Refused by InputError: the stiffness of a joint_model
+    (N/m of a whole contact); prescribed displacements, unless at_rest.
+
+    young: Pa, in place of Ecm. at_rest: the run finds the state of rest under weights, all loads and all prescribed displacements and rotations
+    (analysis.kind = "rest"), in place of time. unprescribed: components of a block's displacement that a problem leaves free beside prescribed ones:
+    "refuse", or "hold", as if they were zero. stones: keys of [[stones]], as snap, gap, place.
     """
-    path = pathlib.Path(path)
-    try:
-        root = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
-        raise FileError(f"{path}: {error}") from error
-    model = Model(path.stem)
-    model.material("stone", **_material(path, root, young))
-    law = next(_of_type(root, "MohrCoulomb"), {})
-    model["contact.friction"] = float(law["phi"]) if law.get("phi") is not None else math.degrees(math.atan(law.get("mu") or 0.6))
-    left_out = [key for key in ("c", "t_c", "k_n", "k_t") if law.get(key)]
-    if left_out:
-        warnings.warn(f"{path}: {', '.join(left_out)} of its contacts play no part: joints are dry, their stiffness comes from the stones (Eq. 3)",
-                      ProgramWarning, stacklevel=2)
-    conditions = next(_of_type(root, "BoundaryConditions"), {})
-    supports = _supports(path, conditions)
-    if supports:
-        stones.setdefault("supports", supports)
-    model.add_stones(path, unit=unit, **stones)
-    model["gravity.acceleration"] = _acceleration(path, conditions)
-    for load in _loads(conditions):
+    problem = Problem(path)
+    model = Model(problem.path.stem)
+    materials = problem.materials()
+    names = [f"stone-{k}" for k in range(len(materials))] if len(materials) > 1 else ["stone"]
+    for name, (data, _) in zip(names, materials):
+        model.material(name, **_material(problem, data, young))
+    model["contact.friction"] = problem.friction()
+    law = problem.joint_law()
+    if law:
+        model.joint_law("contact", **law)
+        model["joints.default"] = "contact"
+    _add_stones(model, problem, names, [of for _, of in materials], {"unit": unit, **stones}, at_rest, unprescribed)
+    model["gravity.acceleration"] = _acceleration(problem)
+    for load in _loads(problem):
+        if at_rest:
+            load = {**{key: value for key, value in load.items() if key != "ramp"}, "grows": True}
         model.load(**load)
-    model["damping.alpha"] = 2.0
+    if at_rest:
+        model["analysis.kind"], model["segments.rule"] = "rest", "rim"  # hinges at the edges, as rigid blocks have them
+    else:
+        model["damping.alpha"] = 2.0
     return model
 
 
@@ -65,7 +72,9 @@ def follow_contacts(model: Model) -> int:
     cuts."""
     probe = Model()
     probe.case = json.loads(json.dumps(model.case))
-    probe["gravity.settle"], probe["time.duration"], probe["load"] = False, 0.0, None
+    probe["gravity.settle"], probe["time.duration"], probe["load"], probe["analysis"] = False, 0.0, None, None
+    for stones in probe.case.get("stones", []):
+        stones.pop("motion", None)
     with tempfile.TemporaryDirectory(prefix="voussoir-") as folder:
         pairs = list(_pairs(probe.run(pathlib.Path(folder) / "run", progress=False)))
     cuts = model.case.setdefault("output", {}).setdefault("cut", [])
@@ -97,7 +106,7 @@ def solution(run: Results, time: float | None = None) -> dict[str, Any]:
     contacts = []
     if "cuts" in run.file and "contact-0" in run.file["cuts"]:
         cuts = run.file["cuts"]
-        row = int(np.argmin(abs(cuts["time"][:] - frame.time)))
+        row = int(np.argmin(abs(cuts["time"][:] - (frame.time if time is None else time))))
         for k, pair in enumerate(_pairs(run)):
             cut = cuts[f"contact-{k}"]
             contacts.append({"blocks": pair["blocks"], "point": pair["point"], "normal": pair["normal"], "area": pair["area"],
@@ -120,65 +129,77 @@ def _stone(tag: str) -> str:
     return tag.split("/")[0]
 
 
-def _of_type(root: Any, name: str) -> Iterator[dict[str, Any]]:
-    """The data of all objects of a type of COMPAS, in the order of the file."""
-    if isinstance(root, dict):
-        if str(root.get("dtype", "")).endswith("/" + name):
-            yield root.get("data", {})
-        for value in root.values():
-            yield from _of_type(value, name)
-    elif isinstance(root, list):
-        for value in root:
-            yield from _of_type(value, name)
-
-
-def _material(path: pathlib.Path, root: Any, young: float | None) -> dict[str, float]:
-    stone = next(_of_type(root, "Stone"), {})
+def _material(problem: Problem, stone: dict[str, Any], young: float | None) -> dict[str, float]:
     if young is None and stone.get("Ecm"):
         young = 1e6 * float(stone["Ecm"])
     if young is None:
-        raise InputError(f"{path}: says no modulus (Ecm) of its stones; give young, in Pa")
+        raise InputError(f"{problem.path}: says no modulus (Ecm) of its stones; give young, in Pa")
     return {"density": float(stone.get("density") or 2400.0), "young": float(young), "poisson": float(stone.get("poisson") or 0.2)}
 
 
-def _supports(path: pathlib.Path, conditions: dict[str, Any]) -> list[str]:
-    names = []
-    for entry in conditions.get("displacements", []):
-        moved = [x for x in (entry.get("translation") or []) + (entry.get("rotation") or []) if x]
-        if moved:
-            raise InputError(f"{path}: block {entry['block_index']} has a prescribed displacement other than zero, which is not taken over")
-        name = str(entry["block_index"])
-        if name not in names:
-            names.append(name)
-    return names
+def _add_stones(model: Model, problem: Problem, names: list[str], of_material: list[list[str]], keys: dict[str, Any], at_rest: bool,
+                unprescribed: str) -> None:
+    """One table of stones for each material, and one for each block that is moved."""
+    fixed, moved = [], {}
+    for motion in problem.motions():
+        if not any(motion.values):
+            fixed.append(motion.block)
+        elif not at_rest:
+            raise InputError(f"{problem.path}: block {motion.block} has a prescribed displacement other than zero; only a state of rest takes it over "
+                             "(at_rest=True, or voussoir.compas.solve)")
+        else:
+            moved[motion.block] = _motion(motion)
+        if motion.missing() and unprescribed != "hold":
+            raise InputError(f"{problem.path}: block {motion.block} is held, but its {', '.join(motion.missing())} is free, which is not taken over; "
+                             "allowed: all six components, or unprescribed=\"hold\"")
+    if len(names) == 1 and not moved:
+        model.add_stones(problem.path, **({"supports": fixed} if fixed else {}), **keys)
+        return
+    for name, stones in zip(names, of_material):
+        stones = stones or list(problem.names())
+        still = [stone for stone in stones if stone not in moved]
+        if still:
+            held = [stone for stone in still if stone in fixed]
+            model.add_stones(problem.path, only=still, material=name, **({"supports": held or "none"} if held or moved else {}), **keys)
+        for stone in stones:
+            if stone in moved:
+                model.add_stones(problem.path, only=[stone], material=name, supports=[stone], motion=moved[stone], **keys)
 
 
-def _acceleration(path: pathlib.Path, conditions: dict[str, Any]) -> list[float]:
-    total = np.zeros(3)
+def _motion(motion: Motion) -> dict[str, Any]:
+    """Keys of stones.motion."""
+    found: dict[str, Any] = {"to": [x or 0.0 for x in motion.translation]}
+    if any(motion.rotation):
+        found["turn"] = [math.degrees(x or 0.0) for x in motion.rotation]
+    return found
+
+
+def _acceleration(problem: Problem) -> list[float]:
+    conditions, total = problem.conditions, np.zeros(3)
     if conditions.get("gravity"):
         total[2] -= float(conditions.get("g") or 9.81)
     for force in conditions.get("body_forces", []):
         total += np.asarray(force, dtype=float)
     if not total.any():
         if conditions:
-            warnings.warn(f"{path}: has neither gravity nor body forces; its weight acts, with 9.81 m/s2", ProgramWarning, stacklevel=3)
+            warnings.warn(f"{problem.path}: has neither gravity nor body forces; its weight acts, with 9.81 m/s2", ProgramWarning, stacklevel=3)
         total[2] = -9.81
     return [float(x) for x in total]
 
 
-def _loads(conditions: dict[str, Any]) -> Iterator[dict[str, Any]]:
-    for entry in conditions.get("point_loads", []):
-        load = {"block": str(entry["block_index"]), "force": entry["force"]}
+def _loads(problem: Problem) -> Iterator[dict[str, Any]]:
+    for entry in problem.conditions.get("point_loads", []):
+        load = {"block": problem.name(entry["block_index"]), "force": entry["force"]}
         for key, value in (("moment", entry.get("moment")), ("at", entry.get("point"))):
             if value is not None:
                 load[key] = _point(value)
         yield {**load, "ramp": _RAMP if entry.get("loading_type", "ramp") == "ramp" else [0.0, 0.0]}
-    for entry in conditions.get("surface_loads", []):
+    for entry in problem.conditions.get("surface_loads", []):
         polygon = entry["polygon"]
         corners = np.array([_point(p) for p in polygon.get("data", polygon)["points"]])
         area = 0.5 * np.cross(corners - corners[0], np.roll(corners, -1, axis=0) - corners[0]).sum(axis=0)
         way = np.asarray(_point(entry["direction"])) if entry.get("direction") is not None else area / np.linalg.norm(area)
-        yield {"block": str(entry["block_index"]), "force": (float(entry["magnitude"]) * np.linalg.norm(area) * way).tolist(),
+        yield {"block": problem.name(entry["block_index"]), "force": (float(entry["magnitude"]) * np.linalg.norm(area) * way).tolist(),
                "at": _centroid(corners).tolist(), "ramp": _RAMP}
 
 
@@ -213,3 +234,10 @@ def _pairs(run: Results) -> Iterator[dict[str, Any]]:
         other = start[second] if second >= 0 else foot
         yield {"blocks": [names[first], names[second] if second >= 0 else None], "point": (weight @ centre[rows]).tolist(),
                "normal": normal[largest].tolist(), "area": float(area[rows].sum()), "middle": (0.5 * (start[first] + other)).tolist()}
+
+
+def __getattr__(name: str) -> Any:
+    if name in ("Solution", "register", "solve"):
+        from . import compas_solver
+        return getattr(compas_solver, name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -23,7 +23,7 @@ T = TypeVar("T")
 
 # Keys whose text is the path of a file, or the name of something ready.
 FILES = ("include", *(f"motion.{key}" for key in ("record", "x", "y", "z", "L", "T", "V")), "block.motion.file", "base.part.motion.file",
-         "stones.file", "load.history", "load.path")
+         "stones.file", "stones.motion.file", "load.history", "load.path")
 
 
 class Model:
