@@ -86,9 +86,9 @@ void check_support(const BlockSpec& spec, const std::string& key) {
   }
   if (!spec.motion) return;
   if (!spec.fixed) throw InputError(key + ".motion", "only a fixed block can be moved; set fixed = true");
-  if (spec.motion->velocity.has_value() == spec.motion->file.has_value()) {
-    throw InputError(key + ".motion", "give exactly one of: velocity, file");
-  }
+  const SupportMotion& m = *spec.motion;
+  if (m.velocity.has_value() + m.file.has_value() + (m.to || m.turn) != 1)
+    throw InputError(key + ".motion", "give exactly one of: velocity, file, to (and turn)");
 }
 
 /// Refuses `halves` for a block that is no box, or is fixed: fixed blocks cannot crack.
@@ -123,8 +123,13 @@ std::array<Block, 2> moving_halves(const BlockSpec& spec, const Block& whole) {
 SupportHistory support_history(const SupportMotion& motion, const std::string& key) {
   SupportHistory history;
   history.key = key;
+  history.about = motion.about;
   if (motion.file) {
     history.file = *motion.file;
+  } else if (motion.to || motion.turn) {
+    history.time = {0.0, 1.0};
+    history.displacement = {Vec3{}, motion.to.value_or(Vec3{})};
+    if (motion.turn) history.rotation = {Vec3{}, std::numbers::pi / 180.0 * *motion.turn};
   } else {
     history.time = {0.0, 1.0};
     history.displacement = {Vec3{}, *motion.velocity};

@@ -263,15 +263,6 @@ Model build_model(const Case& c, int threads) {
   return model;
 }
 
-Vec3 value_at(const SupportHistory& h, double t) {
-  if (h.time.empty() || t < h.time.front()) return {};
-  const auto later = std::lower_bound(h.time.begin() + 1, h.time.end() - 1, t);
-  const auto i = static_cast<std::size_t>(later - h.time.begin());
-  if (t >= h.time.back() && !h.open_ended) return h.displacement.back();
-  const double f = (t - h.time[i - 1]) / (h.time[i] - h.time[i - 1]);
-  return h.displacement[i - 1] + f * (h.displacement[i] - h.displacement[i - 1]);
-}
-
 std::int32_t nearest_element(const Model& model, Vec3 point) noexcept {
   // Points often lie midway between two bricks; without a tolerance round-off would decide.
   constexpr double kTie = 1e-9;  // m

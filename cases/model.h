@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cases/forward.h"
+#include "cases/loads/support_history.h"
 #include "cases/solids/stones.h"
 #include "cases/tables/joint_laws.h"
 #include "cases/tables/materials.h"
@@ -47,19 +48,6 @@ struct Block {
   std::vector<std::string> groups;   // of the file
   std::vector<std::int32_t> beds;    // faces that lie on a mortar bed (StonesSpec::gap)
 };
-
-/// Displacement of a fixed block, or force of a load [N], as a function of time: piecewise linear, constant after its end, 0 before t[0].
-/// With two samples and `open_ended`, the last slope continues (constant velocity).
-struct SupportHistory {
-  std::vector<double> time;        // s, ascending
-  std::vector<Vec3> displacement;  // m
-  bool open_ended = false;
-  std::string file{};  // not empty: file still to be read (t, x, y, z); relative to Case::folder
-  std::string key{};   // of the file in the case file, for messages
-};
-
-/// Value of a history at a time [s]. \pre its file has been read
-Vec3 value_at(const SupportHistory& h, double t);
 
 struct NamedMaterial {
   std::string name;

@@ -45,6 +45,12 @@ inline Pose load_pose(const double* rows, std::int64_t e) noexcept {
   const double* r = rows + e * kPoseStride;
   return {{r[3], r[7], r[11]}, {{r[0], r[1], r[2]}, {r[4], r[5], r[6]}, {r[8], r[9], r[10]}}};
 }
+inline void store_pose(double* rows, std::int64_t e, const Pose& p) noexcept {
+  double* r = rows + e * kPoseStride;
+  r[0] = p.d.r0.x, r[1] = p.d.r0.y, r[2] = p.d.r0.z, r[3] = p.u.x;
+  r[4] = p.d.r1.x, r[5] = p.d.r1.y, r[6] = p.d.r1.z, r[7] = p.u.y;
+  r[8] = p.d.r2.x, r[9] = p.d.r2.y, r[10] = p.d.r2.z, r[11] = p.u.z;
+}
 inline void store_displacement(double* rows, std::int64_t e, Vec3 u) noexcept {
   double* r = rows + e * kPoseStride;
   r[3] = u.x, r[7] = u.y, r[11] = u.z;

@@ -62,8 +62,12 @@ void each_coordinate(Case& c, Use use) {
   each_of_model(c, [&](double& v, std::size_t axis, const std::string&) { use(v, axis); });
   for (BlockSpec& b : c.blocks) {
     if (b.rotate) each_of_point(b.rotate->about, use);
+    if (b.motion && b.motion->about) each_of_point(*b.motion->about, use);
   }
-  for (StonesSpec& s : c.stones) use(s.supports.level, z);
+  for (StonesSpec& s : c.stones) {
+    use(s.supports.level, z);
+    if (s.motion && s.motion->about) each_of_point(*s.motion->about, use);
+  }
   for (Load& load : c.loads) {
     if (load.at) each_of_point(*load.at, use);
   }
@@ -78,6 +82,7 @@ void each_coordinate(Case& c, Use use) {
   for (BasePart& part : c.base->parts) {
     if (part.x) use((*part.x)[0], x), use((*part.x)[1], x);
     if (part.y) use((*part.y)[0], y), use((*part.y)[1], y);
+    if (part.motion && part.motion->about) each_of_point(*part.motion->about, use);
   }
 }
 

@@ -32,6 +32,26 @@ std::int32_t material_of(const Case& c, const Model& model, std::size_t set) {
 
 constexpr double kThinnest = 0.1;  // of the width of a stone's widest piece: least width that sets the segment size of a piece
 
+Vec3 centroid_of(const Stone& stone) {
+  Vec3 sum;
+  double volume = 0.0;
+  for (const StonePiece& p : stone.pieces) {
+    const geometry::MassProperties m = geometry::mass_properties(p.shape);
+    sum += m.volume * m.centroid, volume += m.volume;
+  }
+  return sum / volume;
+}
+
+/// Adds the motion of one fixed stone, whose pieces move as one body.
+void add_motion(const StonesSpec& spec, const Stone& stone, std::size_t set, Model& model, Block& like) {
+  like.support_motion = -1;
+  if (!spec.motion || !stone.fixed) return;
+  like.support_motion = static_cast<std::int32_t>(model.support_motions.size());
+  SupportHistory history = support_history(*spec.motion, indexed_key("stones", set, "motion.file"));
+  if (!history.about) history.about = centroid_of(stone);
+  model.support_motions.push_back(std::move(history));
+}
+
 /// Appends the pieces of one stone as blocks. \param like  a block with all fields but name, shape and beds set
 void add_stone(const Stone& stone, const Block& like, const std::string& part, Model& model) {
   double widest = 0.0;
@@ -72,6 +92,9 @@ void add_stone_blocks(const Case& c, Model& model) {
     Block like;
     like.set = static_cast<std::int32_t>(k);
     like.material = material_of(c, model, k);
+    if (spec.motion && std::ranges::none_of(spec.stones, &Stone::fixed))
+      throw InputError(indexed_key("stones", k, "motion"),
+                       "moves nothing: no stone of " + quoted(spec.file) + " is fixed; see stones.supports");
     for (const Stone& stone : spec.stones) {
       like.name = stone_name(spec, stone.name);
       if (!names.insert(like.name).second) {
@@ -83,6 +106,7 @@ void add_stone_blocks(const Case& c, Model& model) {
       like.groups.clear();
       for (const std::string& group : stone.groups) like.groups.push_back(stone_name(spec, group));
       like.fixed = stone.fixed;
+      add_motion(spec, stone, k, model, like);
       add_stone(stone, like, spec.part, model);
     }
   }

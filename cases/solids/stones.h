@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/tables/blocks.h"
 #include "geometry/polyhedron.h"
 
 /// Stones from geometry files: keys of the case, and contents of the files.
@@ -65,6 +66,7 @@ struct StonesSpec {
   std::optional<double> gap;         // m, thickness of the mortar between faces at that distance (within snap)
   WarpedFaces warped = WarpedFaces::refuse;
   StoneSupports supports;
+  std::optional<SupportMotion> motion;  // of its fixed stones; each turns about its own centroid, unless `about` is given
 
   std::vector<Stone> stones;        // not a key: filled by io/input/stones before a model is built
   std::vector<std::string> notes;   // not a key: descriptions of changes made to the file as a whole

@@ -13,7 +13,7 @@
 /// The kind of a run: a time history of the shaking, or a quasi-static analysis that finds a capacity.
 namespace voussoir::cases {
 
-enum class AnalysisKind : std::uint8_t { time_history, pushover, tilt, settlement, cyclic };
+enum class AnalysisKind : std::uint8_t { time_history, pushover, tilt, settlement, cyclic, rest };
 /// Distribution of the forces of a pushover: by mass, by mass times the first mode, the given loads marked as growing, or by mass times
 /// height above the base.
 enum class LoadPattern : std::uint8_t { mass, mode, given, triangular };
@@ -55,6 +55,10 @@ inline bool has_push_shape(const Analysis& a) noexcept {
   if (a.kind != AnalysisKind::pushover || a.pattern == LoadPattern::given) return false;
   return a.pattern != LoadPattern::mass || a.eccentricity != 0.0;
 }
+
+/// Whether the run goes along the histories of supports, to their end.
+inline bool follows_supports(AnalysisKind kind) noexcept { return kind == AnalysisKind::settlement || kind == AnalysisKind::rest; }
+inline bool follows_supports(const Analysis& a) noexcept { return follows_supports(a.kind); }
 
 /// Whether each row of the run is a state of rest.
 inline bool finds_rest(const Analysis& a) noexcept {

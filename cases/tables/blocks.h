@@ -17,10 +17,12 @@ struct Rotation {
   double angle = 0.0;  // degrees
   Vec3 about;          // m
 };
-/// Motion of a fixed block: a constant velocity, or a file of t [s] and x, y, z [m].
+/// Motion of a fixed block: a constant velocity; a file of t [s], x, y, z [m] and, where it turns, rx, ry, rz [rad]; or an end.
 struct SupportMotion {
   std::optional<Vec3> velocity;  // m/s
   std::optional<std::string> file;
+  std::optional<Vec3> to{}, turn{};  // m, degrees (a rotation vector): the end of a way that a quasi-static analysis goes
+  std::optional<Vec3> about{};       // m, the point that x, y, z are of and about which it turns; none: its centroid
 };
 /// A free block. Exactly one of box, vertices, polygon + extrude. `vertices` without `faces` are the eight of a hexahedron in VTK order;
 /// with `faces` (loops of vertex numbers, counter-clockwise seen from outside) any convex polyhedron.

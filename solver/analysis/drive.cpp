@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <numeric>
@@ -36,6 +37,7 @@ constexpr double kRestFactor = 0.02;                // load factor of the first 
 constexpr double kRestMovement = 2e-4;              // of the height: how far supports go to the first such point
 constexpr double kShare = 0.5, kCyclicShare = 5.0;  // of the first stiffness: see Analysis::share
 constexpr double kStepMargin = 2e-3;                // of the square of the highest frequency that the step bears: what the spring may add
+constexpr double kRestLoad = 0.01;                  // of the loads of analysis.kind = "rest": up to the first such point
 constexpr double kSupportShare = 0.0025;            // of the height, in a pace: how fast supports move
 constexpr double kEndShare = 0.002;                 // of the height, in a pace: as fast as the moving end goes at most
 constexpr double kDrag = 0.002;           // of the weight: what mass damping may bear of a structure that moves as fast as the moving end
@@ -220,12 +222,31 @@ double weight_of(const cases::Case& c, const World& w, double gravity, double ma
 double support_speed(const World& w, double wanted) {
   double fastest = 0.0;
   for (const Support& s : w.supports) {
-    for (std::size_t i = 1; i < s.history->time.size(); ++i) {
-      fastest = std::max(fastest,
-                         norm(s.history->displacement[i] - s.history->displacement[i - 1]) / (s.history->time[i] - s.history->time[i - 1]));
+    const cases::SupportHistory& h = *s.history;
+    const Vec3 centroid = nth(w.elements.body, s.element).ref;
+    const double reach = nth(w.elements.radius, s.element) + norm(centroid - h.about.value_or(centroid));
+    for (std::size_t i = 1; i < h.time.size(); ++i) {
+      double way = norm(h.displacement[i] - h.displacement[i - 1]);
+      if (!h.rotation.empty()) way += reach * norm(h.rotation[i] - h.rotation[i - 1]);
+      fastest = std::max(fastest, way / (h.time[i] - h.time[i - 1]));
     }
   }
   return fastest > 0.0 ? wanted / fastest : 1.0;
+}
+
+/// Way of the supports' clock to the first state of rest [s].
+double first_on_clock(const Simulation& sim, const Totals& all) {
+  const World& w = sim.world();
+  const double of_loads =
+      std::ranges::any_of(w.loads, &PointLoad::grows) ? kRestLoad * sim.program().last_support() : std::numeric_limits<double>::infinity();
+  return w.supports.empty() ? of_loads : std::min(of_loads, kRestMovement * all.height * support_speed(w, 1.0));
+}
+
+/// Load factor that the fictitious masses add while the clock speeds up, see Path::set. Loads set no mass in motion by themselves.
+double inertia_on_clock(const World& w, const Totals& all, double gravity) {
+  if (w.supports.empty()) return 0.0;
+  const double masses = std::accumulate(w.elements.inert.mass.begin(), w.elements.inert.mass.end(), 0.0);
+  return masses / (all.mass * gravity * w.dt * w.dt * support_speed(w, 1.0));
 }
 
 }  // namespace
@@ -242,7 +263,7 @@ void choose_drive(Simulation& sim, const cases::Case& c) {
   d.frequency = modes.empty() ? kNoModes : modes.front().frequency;
   // By the pace that the program would choose, so that a slower one makes less drag, not more damping.
   const double own_pace = std::max(kShortestPace, kPeriods / d.frequency), tall = g > 0.0 ? all.height / g : 0.0;
-  const bool settles = a.kind == AnalysisKind::settlement;
+  const bool settles = follows_supports(a);
   const double drag = settles ? kSupportDrag / kSupportShare : kDrag / kEndShare;
   d.pace = a.pace.value_or(own_pace);
   d.damping = 2.0 * kDampingRatio * std::sqrt(square_of(d.frequency));
@@ -253,11 +274,7 @@ void choose_drive(Simulation& sim, const cases::Case& c) {
   if (settles) {
     const double speed = kSupportShare * all.height / d.pace;
     d.speed = support_speed(w, speed);
-    if (cases::finds_rest(a)) {
-      d.first = kRestMovement * all.height * support_speed(w, 1.0);  // s of the histories
-      const double masses = std::accumulate(w.elements.inert.mass.begin(), w.elements.inert.mass.end(), 0.0);
-      sim.path().set(d.first, masses / (all.mass * g * w.dt * w.dt * support_speed(w, 1.0)));
-    }
+    if (cases::finds_rest(a)) sim.path().set(d.first = first_on_clock(sim, all), inertia_on_clock(w, all, g));
     d.quiet = 0.5 * all.mass * std::pow(kQuiet * speed, 2);
     sim.program().set(d, {});
     return;

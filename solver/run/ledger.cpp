@@ -63,9 +63,12 @@ void Ledger::add_support_work(const World& w) {
     const auto e = static_cast<std::size_t>(w.supports[k].element);
     const double* f = w.elements.wrench.data() + e * kernels::kWrenchStride;
     double* old = support_wrench_.data() + 6 * k;
-    const Vec3 v = at(w.elements.vx, w.elements.vy, w.elements.vz, e);
+    const Vec3 v = at(w.elements.vx, w.elements.vy, w.elements.vz, e), turn = at(w.elements.wx, w.elements.wy, w.elements.wz, e);
     // The structure pushes the support with f, so the support works with −f.
-    if (!fresh_) supports_ -= 0.5 * w.dt * dot(Vec3{f[0] + old[0], f[1] + old[1], f[2] + old[2]}, v);
+    if (!fresh_) {
+      supports_ -= 0.5 * w.dt * dot(Vec3{f[0] + old[0], f[1] + old[1], f[2] + old[2]}, v);
+      if (turn != Vec3{}) supports_ -= 0.5 * w.dt * dot(Vec3{f[3] + old[3], f[4] + old[4], f[5] + old[5]}, turn);
+    }
     std::copy_n(f, 6, old);
   }
 }

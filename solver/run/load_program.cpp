@@ -14,6 +14,7 @@
 #include "cases/model.h"
 #include "geometry/nth.h"
 #include "solver/run/loads.h"
+#include "solver/supports/supports.h"
 
 namespace voussoir::solver {
 
@@ -81,6 +82,7 @@ LoadProgram::LoadProgram(const cases::Case& c, World& w) : analysis_(c.analysis)
   height_ = std::max(kLeastHeight, nth(e.body, control_).ref.z - nth(e.body, e.base).ref.z);
   for (const Support& s : w.supports)
     last_support_ = std::max(last_support_, s.history->open_ended ? std::numeric_limits<double>::infinity() : s.history->time.back());
+  if (analysis_.kind == AnalysisKind::rest && last_support_ == 0.0 && pushed != w.loads.end()) last_support_ = 1.0;  // loads alone
   if (cases::has_push_shape(analysis_)) shape_.assign(static_cast<std::size_t>(e.count), {});
   no_shear_ = vertical ||
               (pushed != w.loads.end() && std::ranges::none_of(w.loads, [](const PointLoad& l) { return l.grows && l.force != Vec3{}; }));
@@ -113,7 +115,7 @@ Vec3 LoadProgram::field(double factor) const noexcept {
 
 /// Of q: the power of the forces over what they are in all, at a load factor of 1.
 double LoadProgram::rate_of(const World& w) const {
-  if (analysis_.kind == AnalysisKind::settlement) return 0.0;
+  if (follows_supports(analysis_)) return 0.0;
   if (analysis_.kind == AnalysisKind::cyclic || analysis_.pattern == LoadPattern::given) return power_of_growing_loads(w) / drive_.weight;
   const Elements& e = w.elements;
   const auto velocity = [&](std::size_t i) { return Vec3{e.vx[i], e.vy[i], e.vz[i]}; };
@@ -191,7 +193,9 @@ void LoadProgram::advance(const World& w, std::int64_t step) {
   if (!active() || drive_.pace <= 0.0 || step == 0) return;
   const bool at_rest = cases::finds_rest(analysis_);
   state_.factor_before = state_.factor;
-  if (analysis_.kind != AnalysisKind::settlement) {
+  if (analysis_.kind == AnalysisKind::rest) {
+    if (last_support_ > 0.0) state_.factor = std::min(1.0, state_.factor + pull_ / last_support_);
+  } else if (analysis_.kind != AnalysisKind::settlement) {
     state_.speed = rate_of(w);
     const double on = at_rest ? state_.sense * pull_ : w.dt * end_rate(), moved = w.dt * state_.speed;
     state_.target += on, state_.moved += moved;
@@ -200,8 +204,7 @@ void LoadProgram::advance(const World& w, std::int64_t step) {
   }
   if (step % kLook != 0 || at_rest) return;
   look(w);
-  const bool over =
-      analysis_.kind == AnalysisKind::settlement ? support_time(static_cast<double>(step) * w.dt) >= last_support_ : is_over(w);
+  const bool over = follows_supports(analysis_) ? support_time(static_cast<double>(step) * w.dt) >= last_support_ : is_over(w);
   if (over && state_.ended == 0.0) state_.ended = static_cast<double>(step);
 }
 
@@ -209,7 +212,7 @@ void LoadProgram::rest_at(const World& w, double base_shear, std::int64_t step) 
   state_.shear = base_shear, state_.mean_factor = state_.factor;
   state_.most_shear = std::max(state_.most_shear, state_.shear), state_.most_factor = std::max(state_.most_factor, state_.factor);
   if (analysis_.kind == AnalysisKind::cyclic) turn_round();
-  if (analysis_.kind != AnalysisKind::settlement && is_over(w)) end_at(step);
+  if (!follows_supports(analysis_) && is_over(w)) end_at(step);
 }
 
 double LoadProgram::share_of_largest() const noexcept {
@@ -241,7 +244,7 @@ double LoadProgram::control_displacement(const World& w) const { return dot(disp
 AssessmentRow LoadProgram::row(const World& w, double time) const {
   const double u = control_displacement(w);
   double support = 0.0;
-  for (const Support& s : w.supports) support = std::max(support, norm(displacement(w.elements, s.element)));
+  for (const Support& s : w.supports) support = std::max(support, moved(w, s));
   return {time, state_.factor, u, u / height_, state_.moved, state_.shear, support, state_.ended > 0.0 ? 1.0 : 0.0};
 }
 

@@ -76,9 +76,7 @@ class LoadProgram {
   /// Adds the forces of a push with a shape to the rows. \return their work over the last interval [J]
   double add_forces(World& w) const;
   /// Time in the histories of supports at time t [s].
-  [[nodiscard]] double support_time(double t) const noexcept {
-    return analysis_.kind == cases::AnalysisKind::settlement ? drive_.speed * t : t;
-  }
+  [[nodiscard]] double support_time(double t) const noexcept { return follows_supports(analysis_) ? drive_.speed * t : t; }
 
   /// The step before which the analysis reached its end; 0: not yet.
   [[nodiscard]] std::int64_t ended() const noexcept { return static_cast<std::int64_t>(state_.ended); }

@@ -21,6 +21,7 @@
 #include "solver/run/multirate.h"
 #include "solver/run/over_elements.h"
 #include "solver/setup/setup.h"
+#include "solver/supports/supports.h"
 #include "solver/ties/tie_forces.h"
 #include "solver/world/errors.h"
 
@@ -129,32 +130,11 @@ double Simulation::support_time(double ahead) const {
 }
 
 void Simulation::place_supports() {
-  if (phase_ == Phase::settling) return;
-  Elements& e = world_->elements;
-  for (const Support& s : world_->supports) {
-    const auto i = static_cast<std::size_t>(s.element);
-    const Vec3 u = value_at(*s.history, support_time(0.0));
-    const double jump = norm(u - Vec3{e.ux[i], e.uy[i], e.uz[i]});  // beside what its velocity has made of it
-    world_->travel.add(s.element, jump);
-    e.ux[i] = u.x, e.uy[i] = u.y, e.uz[i] = u.z;
-    kernels::store_displacement(e.pose.data(), s.element, u);
-    moved_ = std::max(moved_, world_->travel.displacement_over_limit(e, s.element));
-  }
+  if (phase_ != Phase::settling) moved_ = std::max(moved_, solver::place_supports(*world_, support_time(0.0)));
 }
 
 void Simulation::move_supports_on() {
-  if (phase_ == Phase::settling) return;
-  const double dt = world_->dt;
-  Elements& e = world_->elements;
-  for (const Support& s : world_->supports) {
-    const auto i = static_cast<std::size_t>(s.element);
-    const Vec3 v = (value_at(*s.history, support_time(dt)) - value_at(*s.history, support_time(0.0))) / dt;
-    // `kick` has counted the dashpots' loss with the new velocity, since it does not change that of fixed elements; (27) asks for the mean.
-    const double* dash = e.dashpot.data() + i * kernels::kDashpotStride;
-    e.tally[i / kernels::kBatch * kernels::kTallies + static_cast<std::size_t>(kernels::Tally::loss_dashpots)] +=
-        0.5 * dt * dot(Vec3{dash[0], dash[1], dash[2]}, v - Vec3{e.vx[i], e.vy[i], e.vz[i]});
-    e.vx[i] = v.x, e.vy[i] = v.y, e.vz[i] = v.z;
-  }
+  if (phase_ != Phase::settling) solver::move_supports_on(*world_, support_time(0.0), support_time(world_->dt));
 }
 
 void Simulation::apply_loads() {
@@ -178,7 +158,7 @@ void Simulation::accept_rest() {
   program_.rest_at(w, -dot(forces_.base_shear, program_.across()), step_);
   lead_.accept(w, program_.sense() == sense ? path_.increment() : 0.0);
   RestPoint p{.factor = program_.factor(), .done = program_.way(), .left = program_.way_left()};
-  if (!w.supports.empty() && program_.analysis().kind == cases::AnalysisKind::settlement) {
+  if (follows_supports(program_.analysis())) {
     p.done = path_.clock(), p.left = program_.last_support() - path_.clock();
     if (p.left <= kRoundOff * program_.last_support()) program_.end_at(step_);
   }
@@ -302,6 +282,7 @@ void Simulation::advance(Due due) {
     note(StepStage::drift);
     kick_and_drift();
   }
+  if (phase_ != Phase::settling && supports_turn(w)) note(StepStage::support_spins), spin_supports(w);
   if (due.ledger) note(StepStage::ledger_after), ledger_.after_drift(w, body_forces(0), t);
   ++step_;
   if (step_ % kGuardInterval == 0) peak_speed_ = std::max(peak_speed_, std::sqrt(fastest_square()));

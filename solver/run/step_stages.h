@@ -82,6 +82,7 @@ inline constexpr StepStageEntry kStepStages[] = {
     {kick, "kick", true, kForces | kDamage | kImpulses | kLoads | kGround | kWeights, kNewVelocities},
     {samples, "take_samples", false, kPoses | kVelocitiesBefore | kNewVelocities, 0},
     {drift, "drift", true, kMoves | kNewVelocities, kNewPoses},
+    {support_spins, "spin_supports", false, kGround | kNewPoses, 0},
     {ledger_after, "after_drift", false, kBooksBefore | kNewVelocities | kNewPoses, 0},
 };
 }  // namespace detail

@@ -80,6 +80,11 @@ void set_up_multirate(World& w, const cases::Case& c) {
   Multirate& m = w.multirate;
   m.wanted = c.multirate();
   if (m.wanted == 1) return;
+  for (const cases::SupportHistory& h : w.model.support_motions) {
+    if (!h.rotation.empty())
+      throw cases::InputError("time.multirate",
+                              "= " + std::to_string(m.wanted) + " does not go with a support that turns (" + h.key + "); allowed: 1");
+  }
   m.every = steps_by_level(m.wanted);
   if (m.every.back() != m.wanted || m.every.size() > Multirate::kMostLevels)
     throw cases::InputError("time.multirate", "= " + std::to_string(m.wanted) + "; allowed: 1, 2, 4, 8");

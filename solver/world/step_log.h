@@ -36,6 +36,7 @@ enum class StepStage : std::uint8_t {
   kick,
   samples,
   drift,
+  support_spins,
   ledger_after
 };
 

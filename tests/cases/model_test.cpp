@@ -324,6 +324,45 @@ TEST_CASE("supports move with a velocity, or by a file that io reads") {
   CHECK(m.support_motions[0].file == "lift.csv");
   CHECK(m.support_motions[0].time.empty());
   CHECK(m.support_motions[0].key == "block[0].motion.file");
+  c.blocks[0].motion = SupportMotion{.to = Vec3{0, 0, -0.01}, .turn = Vec3{0, 90, 0}};
+  m = build_model(c);
+  CHECK(m.support_motions[0].displacement == std::vector<Vec3>{{}, {0, 0, -0.01}});
+  CHECK(m.support_motions[0].rotation.at(1).y == doctest::Approx(1.5707963267948966));
+  CHECK_FALSE(m.support_motions[0].open_ended);
+}
+
+TEST_CASE("fixed stones move, the pieces of one about its centroid, and all about a point of the file where one is given") {
+  Case c = two_bricks();
+  c.base.reset();
+  c.blocks.clear();
+  StonesSpec& spec = c.stones.emplace_back();
+  const auto piece = [](Vec3 low, Vec3 high) { return StonePiece{geometry::make_box(low, high), {}}; };
+  spec.file = "bench.obj", spec.material = c.materials.begin()->first;
+  spec.stones = {{"foot", {}, true, {piece({0, 0, 0}, {0.2, 0.2, 0.2}), piece({0.2, 0, 0}, {0.6, 0.2, 0.1})}, ""},
+                 {"top", {}, false, {piece({0, 0, 0.2}, {0.2, 0.2, 0.3})}, ""}};
+  spec.motion = SupportMotion{{}, "turn.csv"};
+  Model m = build_model(c);
+  REQUIRE(m.blocks.size() == 3);
+  CHECK((m.blocks[0].support_motion == 0 && m.blocks[1].support_motion == 0 && m.blocks[2].support_motion == -1));
+  CHECK(norm(m.support_motions[0].about.value() - Vec3{0.25, 0.1, 0.075}) < 1e-12);
+  // The pieces stay together.
+  SupportHistory& h = m.support_motions[0];
+  h.time = {0.0, 1.0}, h.displacement = {{}, {0.0, 0.0, -0.01}}, h.rotation = {{}, {0.0, 0.5, 0.1}};
+  const Vec3 seam{0.2, 0.1, 0.05};
+  const auto goes_to = [&](std::size_t i) {
+    const Vec3 centroid = m.assembly.elements[i].mass.centroid;
+    const SupportPose p = pose_at(h, centroid, 0.7);
+    return centroid + p.displacement + rotation(p.orientation) * (seam - centroid);
+  };
+  CHECK(norm(goes_to(0) - goes_to(1)) < 1e-15);
+  CHECK(norm(goes_to(0) - seam) > 0.005);
+  c.stones[0].motion->about = Vec3{1, 2, 3};
+  CHECK(build_model(c).support_motions[0].about == Vec3{1, 2, 3});
+  for (Stone& s : c.stones[0].stones) s.fixed = false;
+  c.blocks.push_back(box("floor", {0, 0, -0.1}, {0.6, 0.2, 0.0}));
+  c.blocks[0].fixed = true;
+  check_refused(
+      c, [](Case&) {}, "stones[0].motion", "no stone of \"bench.obj\" is fixed");
 }
 
 TEST_CASE("loads act on free blocks that exist") {

@@ -22,6 +22,7 @@ void fill_supports(RestoredRun& r) {
   for (std::size_t i = 0; i < saved.size(); ++i) {
     r.model.support_motions[i].time = saved[i].time;
     r.model.support_motions[i].displacement = saved[i].displacement;
+    r.model.support_motions[i].rotation = saved[i].rotation;
     r.model.support_motions[i].open_ended = saved[i].open_ended;
   }
 }

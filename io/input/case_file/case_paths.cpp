@@ -36,7 +36,7 @@ struct PathKey {
 
 constexpr std::string_view kRecord = "motion.record";
 
-constexpr std::array<PathKey, 12> kPaths{{
+constexpr std::array<PathKey, 13> kPaths{{
     {kRecord,
      [](Case& c, const PathChange& change) {
        if (c.motion && c.motion->record) change_record(*c.motion->record, change);
@@ -55,6 +55,11 @@ constexpr std::array<PathKey, 12> kPaths{{
      [](Case& c, const PathChange& change) {
        for (cases::BlockSpec& block : c.blocks)
          if (block.motion) change_if(block.motion->file, change);
+     }},
+    {"stones.motion.file",
+     [](Case& c, const PathChange& change) {
+       for (cases::StonesSpec& spec : c.stones)
+         if (spec.motion) change_if(spec.motion->file, change);
      }},
     {"base.part.motion.file",
      [](Case& c, const PathChange& change) {

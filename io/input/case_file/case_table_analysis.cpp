@@ -85,10 +85,12 @@ Table<Analysis> analysis_table() {
             {"pushover", AnalysisKind::pushover},
             {"tilt", AnalysisKind::tilt},
             {"settlement", AnalysisKind::settlement},
-            {"cyclic", AnalysisKind::cyclic}},
+            {"cyclic", AnalysisKind::cyclic},
+            {"rest", AnalysisKind::rest}},
            "time-history: [motion] shakes; pushover: lateral forces grow; tilt: gravity turns; settlement: supports move by their "
-           "[block.motion] or that of a [[base.part]]; cyclic: the loads that grow push to and fro. All but the first go slowly and leave "
-           "[motion] out"),
+           "[block.motion], [stones.motion], or that of a [[base.part]]; cyclic: the loads that grow push to and fro; rest: whether all of "
+           "it stands: weights, then the loads that grow and the ways of supports, in proportion and up to their end. All but the first go "
+           "slowly and leave [motion] out"),
        choice<S, std::optional<Solver> S::*, Solver>(
            "solver", &S::solver, "", {{"dynamics", Solver::dynamics}, {"equilibrium", Solver::equilibrium}},
            "of all kinds but time-history. equilibrium: each row is a state of rest, found by relaxation, and the run's time counts "
@@ -147,10 +149,26 @@ Table<Analysis> analysis_table() {
 
 namespace {
 
-/// Whether a fixed block or a part of the base has a motion.
-bool a_support_moves(const Case& c) {
-  const auto moves = [](const auto& support) { return support.motion.has_value(); };
-  return std::ranges::any_of(c.blocks, moves) || (c.base && std::ranges::any_of(c.base->parts, moves));
+/// Calls use(motion, path) for the motions of all supports.
+template <class Use>
+void each_motion(const Case& c, Use use) {
+  const auto all = [&](const auto& supports, const std::string& table) {
+    for (std::size_t i = 0; i < supports.size(); ++i)
+      if (supports[i].motion) use(*supports[i].motion, path_to(table, i) + ".motion.");
+  };
+  all(c.blocks, "block"), all(c.stones, "stones");
+  if (c.base) all(c.base->parts, "base.part");
+}
+
+/// An end says no time, and `rest` needs an end.
+void check_motions(const Case& c, const RuleCheck& check) {
+  each_motion(c, [&](const SupportMotion& m, const std::string& path) {
+    if ((m.to || m.turn) && !follows_supports(c.analysis))
+      check.fault(path + (m.to ? "to" : "turn"),
+                  "needs analysis.kind = \"settlement\" or \"rest\"; else give velocity or file, which say when");
+    if (m.velocity && c.analysis.kind == AnalysisKind::rest)
+      check.fault(path + "velocity", "has no end; with analysis.kind = \"rest\" give to (m) or file in its place");
+  });
 }
 
 /// States of rest know of no time, and neither may what acts on them.
@@ -171,10 +189,12 @@ void check_time(const Case& c, const RuleCheck& check) {
 
 void check_analysis(const Case& c, const RuleCheck& check) {
   const Analysis& a = c.analysis;
+  check_motions(c, check);
   if (!is_assessment(a)) {
     for (std::size_t i = 0; i < c.loads.size(); ++i) {
       if (c.loads[i].grows)
-        check.fault(path_to("load", i) + ".grows", "needs [analysis] with kind = \"cyclic\", or \"pushover\" and pattern = \"given\"");
+        check.fault(path_to("load", i) + ".grows",
+                    "needs [analysis] with kind = \"cyclic\" or \"rest\", or \"pushover\" and pattern = \"given\"");
     }
     return;
   }
@@ -182,9 +202,13 @@ void check_analysis(const Case& c, const RuleCheck& check) {
   const bool given = a.kind == AnalysisKind::cyclic || (a.kind == AnalysisKind::pushover && a.pattern == LoadPattern::given);
   if (given && !grow)
     check.fault(a.kind == AnalysisKind::cyclic ? "analysis.kind" : "analysis.pattern", "needs a [[load]] with grows = true");
-  if (!given && grow) check.fault("analysis.kind", "has no use for a [[load]] with grows = true");
-  if (a.kind == AnalysisKind::settlement && !a_support_moves(c))
-    check.fault("analysis.kind", "needs a fixed block with [block.motion] or a [[base.part]] with motion, which moves");
+  if (!given && grow && a.kind != AnalysisKind::rest) check.fault("analysis.kind", "has no use for a [[load]] with grows = true");
+  bool moves = false;
+  each_motion(c, [&](const SupportMotion&, const std::string&) { moves = true; });
+  if (a.kind == AnalysisKind::settlement && !moves)
+    check.fault("analysis.kind", "needs a fixed block, fixed stones or a [[base.part]] with motion, which move");
+  if (a.kind == AnalysisKind::rest && !finds_rest(a))
+    check.fault("analysis.kind", "= \"rest\" is found by analysis.solver = \"equilibrium\"; leave out solver, pace and damping");
   if (finds_rest(a)) check_time(c, check);
   const bool by_weight = a.kind == AnalysisKind::tilt || (a.kind == AnalysisKind::pushover && !given);
   if (by_weight && norm(c.gravity.acceleration) == 0.0)

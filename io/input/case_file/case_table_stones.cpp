@@ -97,7 +97,7 @@ Table<StonesSpec> stones_table() {
            "warped", &S::warped, "", warped,
            "faces that are warped by more than snap: refused, or parted into triangles along their shortest diagonals, after which the "
            "stone is cut along its reflex edges"),
-       supports_key()},
+       supports_key(), table<S>("motion", &S::motion, support_motion_table())},
       [](const S& s, const RuleCheck& check) {
         if (s.gap && *s.gap <= 2.0 * s.snap) check.fault("gap", "must be above twice snap, or a bed cannot be told from a contact");
         if (s.name.find('/') != std::string::npos) check.fault("name", "cannot hold '/': it parts a stone's name from its table's");

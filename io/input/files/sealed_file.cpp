@@ -53,7 +53,7 @@ bool read_seal(const std::string& what, const std::string& header, Seal& s) {
 namespace {
 
 /// Checks a header. \param hash  gives the hash of the contents; called last
-void check(const std::string& name, const std::string& what, std::int64_t version, const std::string& header, std::uint64_t contents,
+void check(const std::string& name, const std::string& what, SealedVersions versions, const std::string& header, std::uint64_t contents,
            const std::function<std::uint64_t(long long)>& hash) {
   Seal s;
   if (!header.starts_with(what + " ")) throw DamagedFile(name, "is no " + what);
@@ -64,9 +64,9 @@ void check(const std::string& name, const std::string& what, std::int64_t versio
         name, "is damaged: it has " + std::to_string(contents) + " bytes behind its header; " + std::to_string(s.bytes) + " were written");
   }
   if (hash(s.version) != s.hash) throw DamagedFile(name, "is damaged: its bytes are not those that were written");
-  if (s.version != version) {
-    throw FileError(name, "has version " + std::to_string(s.version) + " of the layout; this program goes on from version " +
-                              std::to_string(version) + " only");
+  if (s.version < versions.oldest || s.version > versions.newest) {
+    throw FileError(name, "has version " + std::to_string(s.version) + " of the layout; this program goes on from versions " +
+                              std::to_string(versions.oldest) + " to " + std::to_string(versions.newest) + " only");
   }
 }
 
@@ -95,11 +95,11 @@ std::uint64_t size_of_file(const std::string& path) {
 
 }  // namespace
 
-std::span<const std::byte> unsealed(const std::string& name, const std::string& what, std::int64_t version,
+std::span<const std::byte> unsealed(const std::string& name, const std::string& what, SealedVersions versions,
                                     std::span<const std::byte> bytes) {
   if (bytes.empty()) throw DamagedFile(name, "is empty");
   const std::span<const std::byte> head = bytes.first(std::min(bytes.size(), kSealBytes)), contents = bytes.subspan(head.size());
-  check(name, what, version, {reinterpret_cast<const char*>(head.data()), head.size()}, contents.size(), [&](long long said) {
+  check(name, what, versions, {reinterpret_cast<const char*>(head.data()), head.size()}, contents.size(), [&](long long said) {
     solver::Hash hash = hash_of(what, said);
     hash.add(contents.data(), contents.size());
     return hash.value();
@@ -107,13 +107,13 @@ std::span<const std::byte> unsealed(const std::string& name, const std::string& 
   return contents;
 }
 
-void check_seal(const std::string& path, const std::string& what, std::int64_t version) {
+void check_seal(const std::string& path, const std::string& what, SealedVersions versions) {
   const std::uint64_t size = size_of_file(path);
   if (size == 0) throw DamagedFile(path, "is empty");
   std::string header(std::min<std::uint64_t>(size, kSealBytes), '\0');
   std::ifstream in(path, std::ios::binary);
   if (!in || !in.read(header.data(), static_cast<std::streamsize>(header.size()))) throw FileError(path, "cannot be read");
-  check(path, what, version, header, size - header.size(), [&](long long said) { return hash_of_file(path, what, said); });
+  check(path, what, versions, header, size - header.size(), [&](long long said) { return hash_of_file(path, what, said); });
 }
 
 SealedFile::SealedFile(std::string path, std::uint64_t room)

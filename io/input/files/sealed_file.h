@@ -23,13 +23,18 @@ class DamagedFile : public FileError {
 
 inline constexpr std::size_t kSealBytes = 512;
 
+/// Versions of a layout that are read.
+struct SealedVersions {
+  std::int64_t oldest, newest;
+};
+
 /// The contents of a sealed file in memory. \param name  for messages \param what  "voussoir checkpoint"
 /// \throw DamagedFile; FileError if the file is intact but has another version
-std::span<const std::byte> unsealed(const std::string& name, const std::string& what, std::int64_t version,
+std::span<const std::byte> unsealed(const std::string& name, const std::string& what, SealedVersions versions,
                                     std::span<const std::byte> bytes);
 
 /// Checks that a file on disk is intact, reading it in pieces. \throw as unsealed()
-void check_seal(const std::string& path, const std::string& what, std::int64_t version);
+void check_seal(const std::string& path, const std::string& what, SealedVersions versions);
 
 /// A sealed file being written. HDF5 writes the contents to disk behind the space for the header, under a temporary name, so that they need
 /// no memory; seal() completes the file and renames it: complete and on disk, or not at all. Destroyed before seal(), it leaves no file.

@@ -20,17 +20,19 @@ namespace {
 
 constexpr std::size_t kLargestFile = 64u << 20;  // bytes
 
-/// The four numbers of a row, or nothing.
-std::optional<std::array<double, 4>> row_of(std::string_view line) {
-  std::array<double, 4> row{};
-  for (std::size_t i = 0; i < row.size(); ++i) {
+constexpr std::size_t kMoved = 4, kTurned = 7;  // columns: t, x, y, z; and rx, ry, rz
+
+/// The numbers of a row, all finite; nothing: it has other fields, or more than kTurned.
+std::optional<std::vector<double>> row_of(std::string_view line) {
+  std::vector<double> row;
+  for (;;) {
     const std::size_t comma = line.find(',');
     const auto number = finite_number(trimmed(line.substr(0, comma)));
-    if (!number || (comma == std::string_view::npos) != (i == 3)) return std::nullopt;
-    row[i] = *number;
-    if (i < 3) line.remove_prefix(comma + 1);
+    if (!number || row.size() == kTurned) return std::nullopt;
+    row.push_back(*number);
+    if (comma == std::string_view::npos) return row;
+    line.remove_prefix(comma + 1);
   }
-  return row;
 }
 
 /// Whether the line is a header, with no number in any field; a damaged row is no header.
@@ -47,7 +49,8 @@ bool is_header(std::string_view line) {
 void check_units(const std::string& path, long line, std::string_view header, std::string_view unit) {
   for (std::size_t column = 0;; ++column) {
     const std::size_t comma = header.find(',');
-    const std::string_view name = trimmed(header.substr(0, comma)), stated = bracketed(name), wanted = column == 0 ? "s" : unit;
+    const std::string_view name = trimmed(header.substr(0, comma)), stated = bracketed(name);
+    const std::string_view wanted = column == 0 ? "s" : column < kMoved ? unit : "rad";
     if (!stated.empty() && stated != wanted)
       throw FileError(path, line, "unit of column " + shown(name) + " is " + shown(stated) + "; allowed: " + std::string(wanted));
     if (column == 0 && !name.empty() && std::string_view("xyzXYZ").find(name.front()) != std::string_view::npos)
@@ -57,9 +60,25 @@ void check_units(const std::string& path, long line, std::string_view header, st
   }
 }
 
+/// Adds a row to a history. \throw FileError
+void add_row(const std::string& path, long line, const std::vector<double>& row, cases::SupportHistory& history) {
+  if (!history.time.empty() && row[0] <= history.time.back())
+    throw FileError(path, line, "time " + std::to_string(row[0]) + " s does not rise");
+  if (row.size() == kTurned) {
+    const Vec3 rotation{row[4], row[5], row[6]};
+    if (history.time.empty() && rotation != Vec3{})
+      throw FileError(path, line, "the first row turns the support; allowed: rx, ry, rz of zero, since it begins where it stands");
+    history.rotation.push_back(rotation);
+  }
+  history.time.push_back(row[0]);
+  history.displacement.push_back({row[1], row[2], row[3]});
+}
+
 /// Reads the file of a history. \param unit  of x, y, z: "m", for a load "N"
 void read_history(const std::string& path, std::string_view unit, cases::SupportHistory& history) {
-  const std::string wanted = "wanted: t [s], x, y, z [" + std::string(unit) + "]";
+  const bool turns = unit == "m";
+  const std::string wanted = "wanted: t [s], x, y, z [" + std::string(unit) + "]" + (turns ? ", and where it turns rx, ry, rz [rad]" : "");
+  std::size_t columns = 0;  // of all rows; 0: not known yet
   const std::string text = read_foreign_text(path, kLargestFile);
   LineReader lines(text);
   bool header_allowed = true;
@@ -73,12 +92,12 @@ void read_history(const std::string& path, std::string_view unit, cases::Support
       continue;
     }
     header_allowed = false;
-    if (!row) throw FileError(path, lines.line(), shown(line) + " is no row of four finite numbers; " + wanted);
-    if (!history.time.empty() && (*row)[0] <= history.time.back()) {
-      throw FileError(path, lines.line(), "time " + std::to_string((*row)[0]) + " s does not rise");
-    }
-    history.time.push_back((*row)[0]);
-    history.displacement.push_back({(*row)[1], (*row)[2], (*row)[3]});
+    if (!row || (row->size() != kMoved && (row->size() != kTurned || !turns)))
+      throw FileError(path, lines.line(), shown(line) + " is no row of four finite numbers" + (turns ? ", or of seven; " : "; ") + wanted);
+    if (columns != 0 && row->size() != columns)
+      throw FileError(path, lines.line(), shown(line) + " has another number of columns than the rows before; " + wanted);
+    columns = row->size();
+    add_row(path, lines.line(), *row, history);
   }
   if (history.time.size() < 2) throw FileError(path, "holds fewer than two rows; " + wanted);
 }

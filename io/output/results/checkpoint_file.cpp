@@ -69,6 +69,8 @@ void write_supports(Hdf5File& file, const std::vector<cases::SupportHistory>& su
     const std::string at = numbered("/support", i);
     file.write_dataset(at + "/time", Hdf5Type::f64, {h.time.size()}, h.time.data(), {}, {"s", "of the samples"});
     file.write_dataset(at + "/displacement", Hdf5Type::f64, {h.time.size(), 3}, h.displacement.data(), {}, {"m", "of the support"});
+    if (!h.rotation.empty())
+      file.write_dataset(at + "/rotation", Hdf5Type::f64, {h.time.size(), 3}, h.rotation.data(), {}, {"rad", "of the support"});
     file.set_attribute(at, "open_ended", std::int64_t{h.open_ended});
   }
 }
@@ -123,7 +125,7 @@ std::uint64_t room_for(const CheckpointFacts& facts, std::span<const solver::Fie
   std::uint64_t bytes = kStructure + facts.case_toml.size();
   for (const solver::Field& f : state) bytes += f.bytes() + kOfDataset;
   for (const cases::Accelerogram& a : facts.motion.axis) bytes += a.acceleration.size() * sizeof(double);
-  for (const cases::SupportHistory& h : facts.supports) bytes += h.time.size() * 4 * sizeof(double) + kOfDataset;
+  for (const cases::SupportHistory& h : facts.supports) bytes += (h.time.size() * 4 + h.rotation.size() * 3) * sizeof(double) + kOfDataset;
   return bytes;
 }
 
@@ -250,6 +252,11 @@ class Reader {
       if (all[i].time.size() == 1 || std::ranges::adjacent_find(all[i].time, std::greater_equal<>()) != all[i].time.end())
         fault(at + "/time has a single sample, or does not rise");
       for (std::size_t k = 0; k < flat.size(); k += 3) all[i].displacement.push_back({flat[k], flat[k + 1], flat[k + 2]});
+      if (file_.exists(at + "/rotation")) {
+        const std::vector<double> turns = numbers(at + "/rotation", 3);
+        if (turns.size() != flat.size()) fault(at + "/rotation has another number of samples than its time");
+        for (std::size_t k = 0; k < turns.size(); k += 3) all[i].rotation.push_back({turns[k], turns[k + 1], turns[k + 2]});
+      }
       all[i].open_ended = file_.attribute_int(at, "open_ended") != 0;
     }
     return all;
@@ -296,11 +303,11 @@ Checkpoint parse_sealed_checkpoint(const std::string& name, std::span<const std:
 }
 
 Checkpoint parse_checkpoint(const std::string& name, std::span<const std::byte> bytes) {
-  return parse_sealed_checkpoint(name, unsealed(name, kWhat, kCheckpointSchema, bytes));
+  return parse_sealed_checkpoint(name, unsealed(name, kWhat, {kOldestCheckpointSchema, kCheckpointSchema}, bytes));
 }
 
 Checkpoint read_checkpoint(const std::string& path) {
-  check_seal(path, kWhat, kCheckpointSchema);
+  check_seal(path, kWhat, {kOldestCheckpointSchema, kCheckpointSchema});
   return parse(Hdf5File::open(path), std::filesystem::file_size(path));
 }
 

@@ -20,7 +20,8 @@
 namespace voussoir::io {
 
 /// Version of the layout of a checkpoint.
-inline constexpr std::int64_t kCheckpointSchema = 7;
+inline constexpr std::int64_t kCheckpointSchema = 8;
+inline constexpr std::int64_t kOldestCheckpointSchema = 7;  // without the rotation of supports
 
 /// All data of a checkpoint except the state.
 struct CheckpointFacts {

@@ -73,6 +73,9 @@ TEST_CASE("step: steps go through the stages of the list, in its order, and thro
   c.time.multirate = 1;
   c.analysis.kind = cases::AnalysisKind::tilt, c.analysis.solver = cases::Solver::equilibrium;
   seen.merge(follow(c, o, 20));
+  c.analysis.kind = cases::AnalysisKind::rest;
+  c.blocks[0].fixed = true, c.blocks[0].motion = cases::SupportMotion{.turn = Vec3{0.1, 0.0, 0.0}};
+  seen.merge(follow(c, o, 20));
   for (const solver::StepStageEntry& e : solver::kStepStages) {
     CAPTURE(std::string(e.function));
     CHECK(seen.contains(e.stage));

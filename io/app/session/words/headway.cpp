@@ -8,19 +8,19 @@
 
 #include "cases/model.h"
 #include "geometry/message.h"
-#include "geometry/vec3.h"
+#include "solver/supports/supports.h"
 
 namespace voussoir::io {
 namespace {
 
 using geometry::printed;
 
-/// The largest displacement in the histories of the supports [m]; infinity: one goes on for ever.
+/// The largest value of solver::moved in the histories of the supports [m]; infinity: one goes on for ever.
 double wanted(const solver::World& w) {
   double most = 0.0;
   for (const auto& support : w.supports) {
     if (support.history->open_ended) return std::numeric_limits<double>::infinity();
-    for (const Vec3& u : support.history->displacement) most = std::max(most, norm(u));
+    for (const double t : support.history->time) most = std::max(most, solver::moved_at(w, support, t));
   }
   return most;
 }
@@ -39,6 +39,9 @@ std::string headway(const solver::Simulation& sim) {
   const cases::Analysis& a = program.analysis();
   const solver::AssessmentRow row = program.row(sim.world(), sim.time());
   if (a.kind == cases::AnalysisKind::settlement) return of_supports(sim, row.support_moved);
+  if (a.kind == cases::AnalysisKind::rest && program.last_support() == 0.0) return "the weights";
+  if (a.kind == cases::AnalysisKind::rest)
+    return printed("%.1f %% of the loads that grow and of the supports' ways", 100.0 * program.factor());
   const std::string so_far = printed("load factor %.4f, control point %.2f", program.factor(), 1e3 * row.displacement);
   if (a.kind == cases::AnalysisKind::cyclic)
     return so_far + printed(" mm, %lld of %lld half cycles", static_cast<long long>(program.half_cycles()),

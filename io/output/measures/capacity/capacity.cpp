@@ -227,8 +227,7 @@ void look_at_mechanism(const Hdf5File& run, Capacity& c) {
   c.mechanism = has_peak(c) ? parts_from(run, frames, building, c.multiplier_time) : bodies_at(run, frames, building, at);
   c.mechanism_time = times[at];
   c.mechanism_at_end = bodies_at(run, frames, building, frames.frames() - 1);
-  if (c.kind == cases::AnalysisKind::settlement)
-    c.hanging = hanging_walls(run, building, first_poses(frames), poses_of(frames, frames.frames() - 1));
+  if (follows_supports(c.kind)) c.hanging = hanging_walls(run, building, first_poses(frames), poses_of(frames, frames.frames() - 1));
 }
 
 /// \param end  s, up to which the run has come: beyond the last row where that is the last state of rest
@@ -236,6 +235,7 @@ const char* why_ended(const Capacity& c, const cases::Analysis& a, bool collapse
   const CapacityCurve& r = c.curve;
   if (r.over.back() == kLost) return "no further state of rest";
   if (r.over.back() == 0.0) return collapsed ? "collapse" : end < a.longest * (1.0 - 1e-3) ? "not yet" : "longest";
+  if (a.kind == cases::AnalysisKind::rest) return "all is on";
   if (a.kind == cases::AnalysisKind::settlement || a.kind == cases::AnalysisKind::cyclic) return "history";
   if (r.factor.back() >= a.largest_factor * (1.0 - 1e-3)) return "largest factor";
   return r.drift.back() >= a.largest_drift * (1.0 - 1e-3) ? "largest drift" : "drop";
@@ -330,7 +330,7 @@ Capacity capacity_of(cases::AnalysisKind kind, double drop, double pace, double 
   Capacity c;
   c.kind = kind, c.drop = drop;
   c.curve = std::move(curve);
-  if (kind == cases::AnalysisKind::settlement) {
+  if (follows_supports(kind)) {
     look_at_fall(c, quiet);
     return c;
   }

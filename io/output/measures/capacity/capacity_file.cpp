@@ -74,6 +74,12 @@ double hanging_length(const Capacity& c) {
   return sum;
 }
 
+/// Of the loads that grow, at the last state of rest. What has collapsed may rest, too, on the ground: that row does not count.
+double share_at_rest(const Capacity& c) {
+  const auto& factor = c.curve.factor;
+  return c.ended == "collapse" && factor.size() > 1 ? factor[factor.size() - 2] : factor.back();
+}
+
 Json hanging_json(const std::vector<HangingWall>& walls) {
   Json out = Json::array();
   for (const HangingWall& h : walls)
@@ -138,13 +144,19 @@ const char* name_of(AnalysisKind kind) {
       return "settlement";
     case AnalysisKind::cyclic:
       return "cyclic";
+    case AnalysisKind::rest:
+      return "rest";
   }
   return "";
 }
 
 std::vector<Figure> figures_of(const Capacity& c) {
   std::vector<Figure> f{{"kind", name_of(c.kind), "analysis.kind"}, {"ended", c.ended, "why"}};
-  if (c.kind == AnalysisKind::settlement) {
+  if (c.kind == AnalysisKind::rest) {
+    f.push_back({"share", share_at_rest(c), "1, of the loads that grow and of the supports' ways, at the last state of rest"});
+    f.push_back({"unbalanced", c.unbalanced, "1, largest unbalanced force over the mean weight of an element"});
+  }
+  if (follows_supports(c.kind)) {
     f.push_back({"collapse_movement", c.collapse_movement, "m of a support (NaN: never)"});
     f.push_back({"collapse_time", c.collapse_time, "s (NaN: never)"});
     f.push_back({"hanging_length", hanging_length(c), "m of walls that the ground has left, at the end"});
@@ -186,7 +198,7 @@ std::vector<Figure> figures_of(const Capacity& c) {
 std::string capacity_json(const Capacity& c, bool with_curve) {
   Json out;
   for (const Figure& f : figures_of(c)) std::visit([&](const auto& value) { out[f.name] = value; }, f.value);
-  if (c.kind == AnalysisKind::settlement) out["hanging"] = hanging_json(c.hanging);
+  if (follows_supports(c.kind)) out["hanging"] = hanging_json(c.hanging);
   if (c.kind == AnalysisKind::cyclic) out["loops"] = loops_json(c.loops);
   if (c.performance) out["performance"] = Json::parse(performance_json(*c.performance));
   if (c.control) {
@@ -212,6 +224,15 @@ std::string capacity_text(const Capacity& c) {
     const Vec3 p = c.control->position;
     text += line("control point", "%s (element %lld), at (%.3f, %.3f, %.3f) m", c.control->part.c_str(),
                  static_cast<long long>(c.control->element), p.x, p.y, p.z);
+  }
+  if (c.kind == AnalysisKind::rest) {
+    const double share = share_at_rest(c);
+    text += c.ended == "all is on"
+                ? line("at rest", "under all of it; unbalanced by at most %.1e of an element's mean weight", c.unbalanced)
+                : line("at rest", "up to %.4f of the loads that grow and of the supports' ways%s", share,
+                       on ? ", so far" : "; no state of rest was found beyond");
+    return text + line("supports moved", "by %.4f m", c.curve.support_moved.back()) + hanging_text(c.hanging) + "mechanism at the end " +
+           list(c.mechanism_at_end) + "\n";
   }
   if (c.kind == AnalysisKind::settlement) {
     text += std::isnan(c.collapse_movement)

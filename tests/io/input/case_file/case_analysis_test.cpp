@@ -112,8 +112,9 @@ TEST_CASE("analysis: every key of a cyclic test is read and written") {
 }
 
 TEST_CASE("analysis: what does not go together is refused, with line, key and what would go") {
-  CHECK(refusal(analysis("kind = \"push\"")) ==
-        "test.toml:2: analysis.kind = \"push\": must be \"time-history\" | \"pushover\" | \"tilt\" | \"settlement\" | \"cyclic\"");
+  CHECK(
+      refusal(analysis("kind = \"push\"")) ==
+      "test.toml:2: analysis.kind = \"push\": must be \"time-history\" | \"pushover\" | \"tilt\" | \"settlement\" | \"cyclic\" | \"rest\"");
   CHECK(refusal(analysis("pace = 2.0")).starts_with("test.toml:2: analysis.pace = 2 s: goes only with a kind other than \"time-history\""));
   CHECK(refusal(analysis("kind = \"tilt\"\npattern = \"mode\""))
             .starts_with("test.toml:3: analysis.pattern = \"mode\": goes only with kind = \"pushover\""));
@@ -137,7 +138,8 @@ TEST_CASE("analysis: what does not go together is refused, with line, key and wh
   CHECK(refusal(kPushed + analysis("kind = \"cyclic\"")).find("analysis.amplitudes is missing") != std::string::npos);
   CHECK(refusal(kPushed + analysis("kind = \"cyclic\"\namplitudes = [0.001, 0.0]")).find("must all be > 0 (m)") != std::string::npos);
   CHECK(refusal(analysis("kind = \"cyclic\"\namplitudes = [0.001]")).find("needs a [[load]] with grows = true") != std::string::npos);
-  CHECK(refusal(analysis("kind = \"settlement\"")).find("needs a fixed block with [block.motion]") != std::string::npos);
+  CHECK(refusal(analysis("kind = \"settlement\"")).find("needs a fixed block, fixed stones or a [[base.part]] with motion") !=
+        std::string::npos);
   CHECK(refusal("[[base.part]]\nwall = \"rear\"\nlevel = 0.2\nmotion = { velocity = [0, 0, -0.1] }\n" +
                 analysis("kind = \"settlement\"")) == "accepted");
   CHECK(refusal(kPushed).find("load[0].grows") != std::string::npos);

@@ -267,6 +267,15 @@ TEST_CASE("faults: rules of blocks and loads") {
   CHECK(refusal(kBlock + "box = [[0,0,0],[1,1,1]]\nfixed = true\nmotion = {}").find("block[0].motion says nothing") != std::string::npos);
   CHECK(refusal(kBlock + "box = [[0,0,0],[1,1,1]]\nfixed = true\nmotion = { velocity = [1,0,0], file = \"f\" }") ==
         "test.toml:6: block[0].motion.file = \"f\" does not go with velocity; give one of them");
+  const std::string moved = kBlock + "box = [[0,0,0],[1,1,1]]\nfixed = true\nmotion = ", rest = "\n[analysis]\nkind = \"rest\"";
+  CHECK(refusal(moved + "{ file = \"f\", turn = [0,0,1] }").find("motion.turn = [0, 0, 1] degrees does not go with file") !=
+        std::string::npos);
+  CHECK(refusal(moved + "{ velocity = [1,0,0], about = [0,0,1] }").find("about = [0, 0, 1] m needs turn") != std::string::npos);
+  CHECK(refusal(moved + "{ to = [0,0,1] }").find("needs analysis.kind = \"settlement\" or \"rest\"") != std::string::npos);
+  CHECK(refusal(moved + "{ to = [0,0,1] }" + rest) == "accepted");
+  CHECK(refusal(moved + "{ velocity = [0,0,1] }" + rest).find("has no end; with analysis.kind = \"rest\" give to") != std::string::npos);
+  CHECK(refusal(moved + "{ to = [0,0,1] }" + rest + "\npace = 3.0").find("leave out solver, pace and damping") != std::string::npos);
+  CHECK(refusal(kBlock + "box = [[0,0,0],[1,1,1]]" + rest) == "accepted");
   CHECK(refusal(kBlock + "box = [[0,0,0],[1,1,1]]\nfixed = true\nvelocity = [1,0,0]").find("does not go with fixed") != std::string::npos);
   CHECK(refusal(kBlock + "box = [[0,0,0],[1,1,1]]\nrotate = { axis = [0,0,0] }").find("has no direction") != std::string::npos);
   CHECK(refusal("[[load]]\nblock = \"a\"\nramp = [1, 0]").starts_with("test.toml:3: load[0].ramp = [1, 0] s: must be"));

@@ -239,6 +239,29 @@ TEST_CASE("the motion of a support: a header may come first, a damaged row may n
   CHECK_THROWS_WITH_AS(load("0.0, 0, 0, O\n1,0.1,0,0\n2,0.1,0,0\n"), doctest::Contains("is no row of four finite numbers"), FileError);
 }
 
+TEST_CASE("the motion of a support that turns has three columns more, zero at first, and that of a load has not") {
+  const TempFolder folder;
+  const auto load = [&](const std::string& text, bool of_load = false) {
+    folder.write("s.csv", text);
+    cases::Model m;
+    m.support_motions.emplace_back().file = "s.csv";
+    if (of_load) m.load_history.push_back(0);
+    io::load_support_motions(m, folder.path());
+    return m.support_motions[0];
+  };
+  const cases::SupportHistory h = load("t [s], x [m], y [m], z [m], rx [rad], ry [rad], rz [rad]\n0,0.1,0,0,0,0,0\n1,0.1,0.2,0,0,0.5,-1\n");
+  CHECK(h.displacement == std::vector<Vec3>{{0.1, 0.0, 0.0}, {0.1, 0.2, 0.0}});
+  CHECK(h.rotation == std::vector<Vec3>{{}, {0.0, 0.5, -1.0}});
+  CHECK(load("0,0,0,0\n1,0.1,0,0\n").rotation.empty());
+  CHECK_THROWS_WITH_AS(load("0,0,0,0,0,0.1,0\n1,0,0,0,0,0,0\n"), doctest::Contains("s.csv:1: the first row turns the support"), FileError);
+  CHECK_THROWS_WITH_AS(load("0,0,0,0,0,0,0\n1,0.1,0,0\n"), doctest::Contains("s.csv:2: '1,0.1,0,0' has another number of columns"),
+                       FileError);
+  CHECK_THROWS_WITH_AS(load("0,0,0,0,0,0\n1,0,0,0,0,0\n"), doctest::Contains("or of seven"), FileError);
+  CHECK_THROWS_WITH_AS(load("0,0,0,0,0,0,0,0\n1,0,0,0,0,0,0,0\n"), doctest::Contains("or of seven"), FileError);
+  CHECK_THROWS_WITH_AS(load("t,x,y,z,rx [degrees],ry,rz\n0,0,0,0,0,0,0\n1,0,0,0,0,0,0\n"), doctest::Contains("allowed: rad"), FileError);
+  CHECK_THROWS_AS(load("0,0,0,0,0,0,0\n1,0,0,0,0,0,0\n", true), FileError);
+}
+
 TEST_CASE("the header of a motion of a support, or of a load, states no other units than s and m, or N") {
   const TempFolder folder;
   const auto load = [&](const std::string& header, bool of_load) {

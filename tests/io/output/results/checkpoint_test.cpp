@@ -38,7 +38,7 @@ struct Cracked {
   }
   [[nodiscard]] CheckpointFacts facts() const {
     CheckpointFacts f = facts_of(sim, "title = \"wall\"\n# ä\n", g, true);
-    f.supports = {{{0.0, 0.5}, {Vec3{0, 0, 0}, Vec3{0.1, 0.2, 0.3}}, true, "gone.csv", ""}};
+    f.supports = {{{0.0, 0.5}, {Vec3{0, 0, 0}, Vec3{0.1, 0.2, 0.3}}, true, "gone.csv", "", {Vec3{}, Vec3{0.0, 0.7, 0.0}}}};
     f.origin = {650001, -4820000, 312};
     f.time = 0.25;
     f.rows = {1, 2, 3, 4, 5, 6};
@@ -72,6 +72,7 @@ TEST_CASE("a checkpoint is read as it was written, and HDF5's tools find the fil
   REQUIRE(g.supports.size() == 1);
   CHECK(g.supports[0].time == f.supports[0].time);
   CHECK(g.supports[0].displacement[1].z == 0.3);
+  CHECK(g.supports[0].rotation == f.supports[0].rotation);
   CHECK(g.supports[0].open_ended);
   CHECK(g.origin == f.origin);
   CHECK(g.step == w.sim.dt());
@@ -206,6 +207,7 @@ TEST_CASE("what no run can have saved is refused, though the seal holds") {
   SUBCASE("a step of samples without value") { f.motion.axis[0].dt = nan, why = "attribute dt of /motion/x"; }
   SUBCASE("a sample without value") { f.motion.axis[2].acceleration[7] = nan, why = "/motion/z holds"; }
   SUBCASE("a displacement without value") { f.supports[0].displacement[1].y = nan, why = "/support/0/displacement holds"; }
+  SUBCASE("a rotation without value") { f.supports[0].rotation[1].y = nan, why = "/support/0/rotation holds"; }
   SUBCASE("time that stands still") { f.supports[0].time = {0.5, 0.5}, why = "does not rise"; }
   SUBCASE("a single sample") { f.supports[0].time = {0.5}, f.supports[0].displacement = {{}}, why = "single sample"; }
   CAPTURE(why);
