@@ -184,12 +184,16 @@ TEST_CASE("foreign files and other versions are refused by name") {
     return dir.file("x.h5");
   };
   const std::int64_t physics = solver::kPhysicsVersion;
-  const std::string later = sealed(kCheckpointSchema + 1, physics, "voussoir checkpoint");
-  CHECK_THROWS_WITH_AS(read_checkpoint(later),
-                       doctest::Contains(("has version " + std::to_string(kCheckpointSchema + 1) + " of the layout").c_str()), FileError);
-  const std::string other = sealed(kCheckpointSchema, physics + 1, "voussoir checkpoint");
-  CHECK_THROWS_WITH_AS(read_checkpoint(other), doctest::Contains(("version " + std::to_string(physics + 1) + " of the physics").c_str()),
-                       FileError);
+  for (const std::int64_t version : {kOldestCheckpointSchema - 1, kCheckpointSchema + 1}) {
+    const std::string other = sealed(version, physics, "voussoir checkpoint");
+    CHECK_THROWS_WITH_AS(read_checkpoint(other), doctest::Contains(("has version " + std::to_string(version) + " of the layout").c_str()),
+                         FileError);
+  }
+  for (std::int64_t version = kOldestCheckpointSchema; version <= kCheckpointSchema; ++version) {  // read on, to the next fault
+    const std::string other = sealed(version, physics + 1, "voussoir checkpoint");
+    CHECK_THROWS_WITH_AS(read_checkpoint(other), doctest::Contains(("version " + std::to_string(physics + 1) + " of the physics").c_str()),
+                         FileError);
+  }
   CHECK_THROWS_AS(read_checkpoint(sealed(kCheckpointSchema, physics, "something")), DamagedFile);
   CHECK_THROWS_AS(read_checkpoint(sealed(kCheckpointSchema, physics, "voussoir checkpoint")), FileError);  // nothing else in it
 }
