@@ -4,8 +4,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
+#include <iostream>
+#include <span>
+#include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cases/input_error.h"
@@ -13,8 +16,10 @@
 #include "io/app/commands/words/command_word.h"
 #include "io/app/session/exit_code.h"
 #include "io/app/session/process.h"
+#include "io/input/case_file/case_file.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/output_path.h"
+#include "io/input/messages/messages.h"
 #include "io/output/results/provenance.h"
 #include "solver/world/errors.h"
 
@@ -33,10 +38,39 @@ int work(const io::Command& command) {
 
 }  // namespace
 
+namespace {
+
+/// Whether the words of the command line ask for messages in JSON; looked at first, since faults of these words are messages, too.
+bool asks_for_json(std::span<char* const> words) {
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const std::string_view word = words[i];
+    if (word == "--messages=json" || (word == "--messages" && i + 1 < words.size() && std::string_view(words[i + 1]) == "json")) return true;
+  }
+  return false;
+}
+
+/// Prints what the parser says of the words, with a suggestion. \return the exit code
+int end_parsing(const CLI::App& program, const CLI::ParseError& e, const std::string& suggestion) {
+  std::ostringstream said;
+  if (program.exit(e, std::cout, said) == 0) return io::kDone;
+  const std::string text = said.str() + suggestion;
+  if (io::says_json())
+    io::say_error(io::kInputFault, {.text = text.substr(0, text.find_last_not_of('\n') + 1)});
+  else
+    io::say_lines(text);
+  return io::kInputFault;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+  const std::span<char* const> words(argv, static_cast<std::size_t>(argc));
+  io::say_as_json(asks_for_json(words));
   io::prepare_process();
   CLI::App program{"Voussoir: how masonry buildings crack, fail and collapse in earthquakes"};
   program.set_version_flag("--version", "voussoir " + io::program_version());
+  program.add_option("--messages", "text, or json: what the program says on standard error, one object a line")
+      ->check(CLI::IsMember({"text", "json"}));
   program.require_subcommand(1);
   program.footer(
       "in the order of work: describe (new, cases, keys), look (view, check), without a run (modes, limit, motion), run, read (summary,\n"
@@ -52,21 +86,20 @@ int main(int argc, char** argv) {
     program.parse(argc, argv);
     return work(*std::ranges::find_if(commands, [&](const io::Command& c) { return program.got_subcommand(c.words); }));
   } catch (const CLI::ExtrasError& e) {
-    program.exit(e);
-    io::suggest_option(program, {argv + 1, argv + argc});
-    return io::kInputFault;
+    return end_parsing(program, e, io::suggested_option(program, {argv + 1, argv + argc}));
   } catch (const CLI::ParseError& e) {
-    if (program.exit(e) == 0) return io::kDone;
-    io::suggest_value(e.what());
-    return io::kInputFault;
+    return end_parsing(program, e, io::suggested_value(e.what()));
   } catch (const solver::NumericalError& e) {
-    std::fprintf(stderr, "voussoir: numerical failure: %s\n", e.what());
+    io::say_error(io::kNumericalFailure, {.text = std::string("numerical failure: ") + e.what()});
     return io::kNumericalFailure;
   } catch (const io::FileError& e) {
-    std::fprintf(stderr, "voussoir: %s\n", e.what());
+    io::say_error(io::kFileFault, e.message());
     return io::kFileFault;
+  } catch (const io::CaseFileError& e) {
+    io::say_errors(io::kInputFault, e.faults());
+    return io::kInputFault;
   } catch (const cases::InputError& e) {
-    io::tell(e.what());
+    io::say_errors(io::kInputFault, {{.text = e.what(), .key = e.key()}});
     return io::kInputFault;
   } catch (const std::exception& e) {
     return io::end_unexpectedly(e);

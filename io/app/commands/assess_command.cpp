@@ -20,6 +20,7 @@
 #include "io/app/session/session.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/output_path.h"
+#include "io/input/messages/messages.h"
 #include "io/output/assess/assess_words.h"
 #include "io/output/assess/crack_map.h"
 #include "io/output/measures/capacity/capacity_file.h"
@@ -72,7 +73,7 @@ void write_maps(const Hdf5File& run, const cases::Case& c, const Building& build
     const std::string file = o.maps + "/" + map_name(building.walls[w].name, a.time, taken);
     write_output({file, FileKind::drawing, "--maps", o.overwrite},
                  crack_map(run, c.title, building, static_cast<std::int32_t>(w), a.time, a.joints, a.fallen, a.cracks));
-    std::fprintf(stderr, "voussoir: %s\n", file.c_str());
+    say_info(file);
   }
 }
 

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <span>
 #include <string>
@@ -25,6 +24,7 @@
 #include "io/app/commands/command.h"
 #include "io/app/commands/words/bill.h"
 #include "io/app/commands/words/case_words.h"
+#include "io/app/commands/words/check_json.h"
 #include "io/app/commands/words/common_words.h"
 #include "io/app/session/exit_code.h"
 #include "io/app/session/likely_slips.h"
@@ -34,6 +34,7 @@
 #include "io/app/session/words/tie_lines.h"
 #include "io/input/case_file/catalogue.h"
 #include "io/input/files/output_path.h"
+#include "io/input/messages/messages.h"
 #include "io/input/motion/motion_files.h"
 #include "io/output/drawing/drawing.h"
 #include "io/output/measures/capacity/capacity_file.h"
@@ -286,21 +287,16 @@ std::vector<std::string> findings_of(const LoadedCase& c, const cases::Model& mo
 }
 
 int check_as_json(const LoadedCase& c, const cases::Model& model, const cases::GroundMotion& motion, solver::Simulation& sim) {
-  const cases::Census n = cases::census(model);
-  const double step = sim.dt();
-  std::string fault;
+  CheckFigures f{cases::census(model), sim.dt(), {}, {}, findings_of(c, model, motion)};
   try {
-    time_a_step(sim);
+    const double taken = time_a_step(sim);
+    f.run_seconds = cases::finds_rest(c.value.analysis) ? kRestSteps * taken : (c.value.end() + settling_time(c.value)) / f.step * taken;
   } catch (const solver::NumericalError& e) {
-    fault = std::string("the first steps go wrong: ") + e.what();
+    f.faults = {std::string("the first steps go wrong: ") + e.what()};
   }
-  nlohmann::ordered_json out{
-      {"title", c.value.title}, {"elements", n.elements}, {"joints", n.joints},         {"base_joints", n.base_joints},
-      {"volume", n.volume},     {"mass", n.mass},         {"step_bound", n.step_bound}, {"step", step}};
-  out["faults"] = fault.empty() ? std::vector<std::string>{} : std::vector{fault};
-  out["findings"] = findings_of(c, model, motion);
-  std::printf("%s\n", out.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
-  return fault.empty() ? kDone : kInputFault;
+  std::printf("%s\n", check_json(c.value, model, f).c_str());
+  if (says_json() && !f.faults.empty()) say_error(kInputFault, {.text = f.faults.front()});
+  return f.faults.empty() ? kDone : kInputFault;
 }
 
 /// Reads, builds and reports, without a run. \throw cases::InputError, FileError
@@ -360,9 +356,12 @@ bool is_run(const std::string& word) {
 }
 
 /// Checks every byte of the results of a run. \throw FileError
-int check_results(const std::string& run) {
+int check_results(const std::string& run, bool json) {
   const std::size_t files = check_run(run);
-  std::printf("results are as they were written: %zu %s\n", files, files == 1 ? "file" : "files");
+  if (json)
+    std::printf("{ \"files\": %zu }\n", files);
+  else
+    std::printf("results are as they were written: %zu %s\n", files, files == 1 ? "file" : "files");
   note_state(open_run(run));
   return kDone;
 }
@@ -383,7 +382,7 @@ Command add_check(CLI::App& program) {
   return {.words = words,
           .work =
               [w] {
-                return is_run(w->c.name) ? check_results(w->c.name)
+                return is_run(w->c.name) ? check_results(w->c.name, w->o.json)
                                          : with_case(w->c, [w](const auto& c) { return check(c, w->o, w->c.threads); });
               },
           .threads = &w->c.threads};

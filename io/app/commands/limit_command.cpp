@@ -24,6 +24,7 @@
 #include "io/app/session/progress.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/output_path.h"
+#include "io/input/messages/messages.h"
 #include "io/input/motion/spectra/intensity.h"
 #include "io/output/assess/limit_words.h"
 #include "solver/limit/load_path.h"
@@ -179,9 +180,8 @@ int tell(const LimitQuestion& asked, const LimitCommandOptions& o, const cases::
 /// \throw cases::InputError, FileError
 int limit(const LoadedCase& c, const LimitCommandOptions& o, int threads) {
   if (!solver::has_linear_programmes()) {
-    std::fprintf(
-        stderr,
-        "voussoir: limit: this program was built without Clp, which it needs (Debian: coinor-libclp-dev; CMake: -DVOUSSOIR_CLP=ON)\n");
+    say_error(kInputFault, {.text = "limit: this program was built without Clp, which it needs (Debian: coinor-libclp-dev; CMake: "
+                                    "-DVOUSSOIR_CLP=ON)"});
     return kInputFault;
   }
   if (const std::string file = demand_file(o.demand); !file.empty()) note_input(file);
@@ -196,7 +196,7 @@ int limit(const LoadedCase& c, const LimitCommandOptions& o, int threads) {
   const cases::Model model = cases::build_model(c.value, threads);
   now_doing("looking for the multiplier");
   if (!model.ties.empty())
-    std::fprintf(stderr, "voussoir: warning: limit analysis leaves ties out: the multiplier is that of the blocks alone\n");
+    say_warning("limit analysis leaves ties out: the multiplier is that of the blocks alone");
   if (o.path.empty()) {
     const solver::LimitResult found = solver::limit_analysis(c.value, model, asked.options);
     if (on_terminal) std::fputc('\n', stderr);

@@ -6,7 +6,10 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cases/case.h"
@@ -14,6 +17,7 @@
 #include "geometry/nth.h"
 #include "io/app/commands/command.h"
 #include "io/app/commands/words/case_words.h"
+#include "io/app/commands/words/common_words.h"
 #include "io/app/session/exit_code.h"
 #include "io/app/session/prepared_case.h"
 #include "io/app/session/progress.h"
@@ -33,7 +37,7 @@ struct ModesOptions {
   std::string shapes;       // file for ParaView; empty: none
   bool no_impulse = false;  // eigenvalues only: seconds instead of minutes
   bool closed = false;      // eigenvalues count joints without a bond as bonded
-  bool overwrite = false, quiet = false;
+  bool overwrite = false, quiet = false, json = false;
 };
 
 struct ModesWords {
@@ -57,8 +61,8 @@ std::size_t most_moved_by(const solver::Mode& mode) {
   return static_cast<std::size_t>(std::max_element(u.begin(), u.end(), [](Vec3 a, Vec3 b) { return dot(a, a) < dot(b, b); }) - u.begin());
 }
 
-/// Names what nothing holds: mechanisms, which have no frequency.
-void print_free_bodies(const cases::Model& model, const std::vector<solver::Mode>& modes) {
+/// What nothing holds: mechanisms, which have no frequency.
+std::vector<std::string> free_bodies(const cases::Model& model, const std::vector<solver::Mode>& modes) {
   std::vector<std::string> names;
   for (const solver::Mode& mode : modes) {
     if (mode.frequency >= kMechanism) continue;
@@ -66,20 +70,37 @@ void print_free_bodies(const cases::Model& model, const std::vector<solver::Mode
     std::string name = cases::describe(model.blocks[e], e);
     if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
   }
+  return names;
+}
+
+void print_free_bodies(const std::vector<std::string>& names) {
   if (names.empty()) return;
   std::printf("0 Hz: held by no bond: %s", names.front().c_str());
   for (std::size_t i = 1; i < names.size(); ++i) std::printf(", %s", names[i].c_str());
   std::printf("; --closed holds such joints as their weight does\n");
 }
 
-/// The modes in which the building takes part, if the lowest ones above are local.
-void print_main_modes(const solver::World& world, const std::vector<solver::Mode>& modes, solver::DryJoints dry) {
+struct MainMode {
+  int axis = 0;
+  solver::Mode mode;
+};
+
+/// The modes in which the building takes part, if the lowest ones are local.
+std::vector<MainMode> main_modes(const solver::World& world, const std::vector<solver::Mode>& modes, solver::DryJoints dry) {
+  std::vector<MainMode> found;
   for (const int axis : {0, 1}) {
-    const std::vector<solver::Mode> main = solver::modes_along(world, axis, 1, dry);
+    std::vector<solver::Mode> main = solver::modes_along(world, axis, 1, dry);
     if (main.empty() || share(main.front(), axis) <= share(dominant(modes, axis), axis) * 1.001) continue;
-    const Vec3 s = main.front().mass_share;
-    std::printf("%6s %16.3f %10.1f %9.1f %9.1f   the building along %s, above local modes\n", "", main.front().frequency, 100.0 * s.x,
-                100.0 * s.y, 100.0 * s.z, nth(kAxes, axis));
+    found.push_back({axis, std::move(main.front())});
+  }
+  return found;
+}
+
+void print_main_modes(const std::vector<MainMode>& modes) {
+  for (const auto& [axis, mode] : modes) {
+    const Vec3 s = mode.mass_share;
+    std::printf("%6s %16.3f %10.1f %9.1f %9.1f   the building along %s, above local modes\n", "", mode.frequency, 100.0 * s.x, 100.0 * s.y,
+                100.0 * s.z, nth(kAxes, axis));
   }
 }
 
@@ -103,11 +124,13 @@ std::vector<cases::HistoryPoint> most_moved(const cases::Model& model, const std
   return points;
 }
 
-void print_impulse(const cases::Case& c, const cases::Model& model, const std::vector<solver::Mode>& modes, const ModesOptions& o,
-                   int threads) {
+/// Responses to an impulse along x and along y.
+using Impulses = std::array<solver::ImpulseResponse, 2>;
+
+Impulses impulses(const cases::Case& c, const cases::Model& model, const ModesOptions& o, int threads) {
   solver::Options options;
   options.threads = threads, options.own_pace = true;
-  std::array<solver::ImpulseResponse, 2> response;
+  Impulses response;
   const bool on_terminal = Progress::mode_for(2, o.quiet) == Progress::Mode::terminal;
   for (int axis = 0; axis < 2; ++axis) {
     const auto tick = [&](double done) {
@@ -116,6 +139,10 @@ void print_impulse(const cases::Case& c, const cases::Model& model, const std::v
     nth(response, axis) = solver::impulse_response(c, model, options, axis, tick);
     if (on_terminal) std::fputc('\n', stderr);
   }
+  return response;
+}
+
+void print_impulse(const cases::Case& c, const std::vector<solver::Mode>& modes, const Impulses& response) {
   std::printf("\nimpulse of 1 m/s2 in one sample of %g s, undamped, %g s; bins of %.3f Hz\n%-16s %14s %14s\n", solver::kImpulseInterval,
               solver::kImpulseInterval * solver::kImpulseSamples, 1.0 / (solver::kImpulseInterval * solver::kImpulseSamples), "point",
               "x by x [Hz]", "y by y [Hz]");
@@ -132,6 +159,33 @@ void print_impulse(const cases::Case& c, const cases::Model& model, const std::v
                 static_cast<long long>(broken));
 }
 
+using Json = nlohmann::ordered_json;
+
+Json mode_json(const solver::Mode& m) {
+  return {{"frequency", m.frequency}, {"mass_share", {m.mass_share.x, m.mass_share.y, m.mass_share.z}}};
+}
+
+Json impulse_json(const cases::Case& c, const Impulses& response) {
+  Json points = Json::array();
+  for (std::size_t k = 0; k < c.output.history.size(); ++k) {
+    Json point{{"name", c.output.history[k].name}};
+    for (const int axis : {0, 1})
+      point[nth(kAxes, axis)] = solver::dominant_frequency(nth(response, axis).displacement[k], solver::kImpulseInterval);
+    points.push_back(std::move(point));
+  }
+  return {{"points", std::move(points)}, {"broken", response[0].broken + response[1].broken}};
+}
+
+/// One object with frequencies in Hz and shares of mass along x, y, z.
+void print_json(const cases::Case& c, const std::vector<solver::Mode>& modes, const std::vector<MainMode>& main,
+                const std::vector<std::string>& held_by_nothing, const std::optional<Impulses>& response) {
+  Json out{{"title", c.title}, {"modes", Json::array()}, {"main", Json::object()}, {"held_by_nothing", held_by_nothing}};
+  for (const solver::Mode& m : modes) out["modes"].push_back(mode_json(m));
+  for (const auto& [axis, mode] : main) out["main"][nth(kAxes, axis)] = mode_json(mode);
+  out["impulse"] = response ? impulse_json(c, *response) : Json(nullptr);
+  std::printf("%s\n", out.dump(1, ' ', false, Json::error_handler_t::replace).c_str());
+}
+
 /// Prints first natural frequencies from the eigenvalues of the assembled stiffness, and from the impulse and Fourier transform of the
 /// paper's section 3.5 at the points that the case follows (if it follows none: at the element that the mode with the largest share of mass
 /// moves most).
@@ -145,15 +199,22 @@ int modes(const LoadedCase& loaded, const ModesOptions& o, int threads) {
   const auto world = solver::build_world(c, model, {});
   const std::vector<solver::Mode> modes = solver::natural_modes(*world, o.count, dry);
   if (modes.empty()) throw cases::InputError("", "has nothing that moves");
-  std::printf("%s\n\n", c.title.c_str());
-  print_modes(modes, o.closed);
-  print_main_modes(*world, modes, dry);
-  print_free_bodies(model, modes);
+  const std::vector<MainMode> main = main_modes(*world, modes, dry);
+  const std::vector<std::string> held_by_nothing = free_bodies(model, modes);
+  if (!o.json) {
+    std::printf("%s\n\n", c.title.c_str());
+    print_modes(modes, o.closed);
+    print_main_modes(main);
+    print_free_bodies(held_by_nothing);
+  }
   if (!o.shapes.empty()) write_output(shapes, mode_shapes_vtu(model, modes));
   std::fflush(stdout);
-  if (o.no_impulse) return kDone;
-  if (c.output.history.empty()) c.output.history = most_moved(model, modes);
-  print_impulse(c, model, modes, o, threads);
+  if (!o.no_impulse && c.output.history.empty()) c.output.history = most_moved(model, modes);
+  const std::optional<Impulses> response = o.no_impulse ? std::nullopt : std::optional(impulses(c, model, o, threads));
+  if (o.json)
+    print_json(c, modes, main, held_by_nothing, response);
+  else if (response)
+    print_impulse(c, modes, *response);
   return kDone;
 }
 
@@ -170,6 +231,7 @@ Command add_modes(CLI::App& program) {
       "--closed", w->o.closed,
       "eigenvalues with joints without a bond held as if bonded, as weight holds them while the motion is small: for beams that "
       "lie loose on walls");
+  add_format(*words, w->o.json);
   words->add_flag("--overwrite", w->o.overwrite, "replace an existing file of shapes");
   words->add_flag("--quiet", w->o.quiet, "no progress");
   words->footer("example: voussoir modes vault20n --shapes vault20n-modes.vtu");

@@ -11,12 +11,14 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <system_error>
 
 #include "cases/input_error.h"
 #include "cases/names.h"
 #include "io/app/commands/command.h"
+#include "io/app/commands/words/common_words.h"
 #include "io/app/commands/words/number_range.h"
 #include "io/app/session/process.h"
 #include "io/input/files/errors.h"
@@ -98,6 +100,8 @@ void check(const std::vector<std::string>& arguments, const MotionOptions& o) {
   for (const double z : o.damping) {
     if (!(z >= 0.0 && z < 1.0)) throw cases::InputError("--damping", cases::text(z) + "; allowed: from 0 to below 1 (of critical)");
   }
+  if (o.json && (o.target || !o.periods.empty()))
+    throw cases::InputError("--format", "json has the figures of the components alone; leave out --intensity and --target");
   if (o.until && o.treatment.to) throw cases::InputError("--until", "does not go with --to; give one of them");
   if (o.dt && !(*o.dt >= kShortestStep && *o.dt <= kLongestStep))
     throw cases::InputError("--dt", cases::text(*o.dt) + " s; allowed: from 1e-6 to 10");
@@ -172,6 +176,29 @@ void print_table(const std::vector<Component>& components, std::ostream& out) {
                   f.peak_time, f.peak_velocity, f.peak_displacement, f.arias, f.d5_75, f.d5_95, stated);
     out << name_column(c.record) << line;
   }
+}
+
+/// One object a component, in SI units.
+void print_json(const std::vector<Component>& components, std::ostream& out) {
+  using Json = nlohmann::ordered_json;
+  Json all = Json::array();
+  for (const Component& c : components) {
+    const MotionFigures f = figures(c.motion);
+    all.push_back({{"record", c.record},
+                   {"component", c.name},
+                   {"dt", c.motion.dt},
+                   {"samples", c.motion.acceleration.size()},
+                   {"duration", f.duration},
+                   {"peak_acceleration", f.peak_acceleration},
+                   {"peak_time", f.peak_time},
+                   {"peak_velocity", f.peak_velocity},
+                   {"peak_displacement", f.peak_displacement},
+                   {"arias", f.arias},
+                   {"d5_75", f.d5_75},
+                   {"d5_95", f.d5_95},
+                   {"stated_peak", c.stated_peak ? Json(*c.stated_peak) : Json(nullptr)}});
+  }
+  out << all.dump(1, ' ', false, Json::error_handler_t::replace) << "\n";
 }
 
 /// A value of two components, or why there is none.
@@ -252,6 +279,10 @@ int motion_command(const std::vector<std::string>& arguments, const MotionOption
   if (o.target) print_fits(spectra, fits);
   if (o.write) write_record(sources[0], arguments[0], o);
   if (o.spectra) write_output(spectra_of(o), spectra_csv(spectra));
+  if (o.json) {
+    print_json(components, out);
+    return 0;
+  }
   print_table(components, out);
   if (const std::string done = described(o.treatment); !done.empty()) out << "\n" << done << "\n";
   out << fits.str();
@@ -287,6 +318,7 @@ Command add_motion(CLI::App& program) {
                     "ec8:TYPE:GROUND:AG (ec8:1:B:0.3g)");
   words->add_option("--fit", w->o.fit, "two periods between which it is compared, s (default 0.05 1)")->allow_extra_args(false);
   words->add_option("--write", w->o.write, "write the record as CSV files into this folder");
+  add_format(*words, w->o.json);
   words->add_flag("--overwrite", w->o.overwrite, "replace existing files");
   words->footer("example: voussoir motion bam-like --spectra spectra.csv");
   return {.words = words, .work = [w] { return motion_command(w->files, w->o); }};

@@ -26,6 +26,7 @@ struct MotionOptions {
   std::array<double, 2> fit{0.05, 1.0};  // s, periods of the comparison
   std::optional<std::string> write;      // folder for the record as CSV files with record.toml; for a single record
   bool overwrite = false;                // existing files may be replaced
+  bool json = false;                     // the figures as one JSON array instead of a table
 };
 
 /// Prints a table with one line per component; the last column is the peak acceleration stated by the file's header. Each argument is

@@ -11,6 +11,7 @@
 #include "io/input/case_file/catalogue.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/whole_file.h"
+#include "io/input/messages/messages.h"
 
 namespace voussoir::io {
 namespace {
@@ -27,7 +28,7 @@ int write_new_case(const NewWords& w) {
     throw FileError(file, "is there already; name another file");
   write_text_file(file, built_in_part("new/" + w.kind)->text);
   std::printf("%s\n", file.c_str());
-  std::fprintf(stderr, "voussoir: edit it, then: voussoir check %s\n", file.c_str());
+  say_info("edit it, then: voussoir check " + file);
   return kDone;
 }
 

@@ -14,6 +14,7 @@
 
 #include "cases/case.h"
 #include "cases/names.h"
+#include "geometry/message.h"
 #include "io/app/commands/command.h"
 #include "io/app/commands/words/common_words.h"
 #include "io/app/session/exit_code.h"
@@ -24,6 +25,7 @@
 #include "io/app/session/views.h"
 #include "io/input/case_file/case_file.h"
 #include "io/input/files/run_folder.h"
+#include "io/input/messages/messages.h"
 #include "io/output/replay/run_file.h"
 #include "io/output/results/base_motion.h"
 #include "io/output/results/case_of_run.h"
@@ -56,7 +58,7 @@ Found newest_good(const std::string& folder) {
   for (const std::string& path : paths) {
     try {
       Found found{path, read_checkpoint(path)};
-      if (!faults.empty()) std::fprintf(stderr, "voussoir: warning: %s; going on from %s\n", faults.c_str(), path.c_str());
+      if (!faults.empty()) say_warning(faults + "; going on from " + path);
       return found;
     } catch (const DamagedFile& e) {
       faults += (faults.empty() ? "" : "; ") + std::string(e.what());
@@ -164,7 +166,7 @@ int resume(const ResumeOptions& o) {
   ResultsWriter results(folder.path(), r->model, resolved, history_names(r->value), provenance(r->sim->threads()), keep);
   folder.write_case(resolved);  // after the results are known to be intact
   Checkpoints checkpoints(folder.path(), facts_of(*r->sim, resolved, r->facts.motion, r->facts.reference_kernels), o.checkpoints, r->path);
-  if (!o.quiet) std::fprintf(stderr, "voussoir: going on from %s, at %.4f s\n", r->path.c_str(), r->facts.time);
+  if (!o.quiet) say_info("going on from " + r->path + geometry::printed(", at %.4f s", r->facts.time));
   const int code = run_session(r->value, *r->sim, r->plan, results, checkpoints, folder.path(), o.quiet, o.views.page_every);
   if (code == kDone) write_views(folder.path(), o.views);
   return code;

@@ -13,6 +13,7 @@
 #include "cases/case.h"
 #include "cases/census.h"
 #include "cases/model.h"
+#include "geometry/message.h"
 #include "io/app/commands/command.h"
 #include "io/app/commands/words/case_words.h"
 #include "io/app/commands/words/common_words.h"
@@ -25,6 +26,7 @@
 #include "io/app/session/words/tie_lines.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/run_folder.h"
+#include "io/input/messages/messages.h"
 #include "io/input/motion/motion_files.h"
 #include "io/output/results/base_motion.h"
 #include "solver/analysis/drive.h"
@@ -47,8 +49,7 @@ void warn_of_step(const cases::Case& c, const cases::Model& model, double dt) {
   if (!c.time.step) return;
   const double bound = cases::census(model).step_bound;
   if (dt <= bound) return;
-  std::fprintf(stderr, "voussoir: warning: the step of %.4g s is longer than the largest stable one, %.4g s: the run may diverge\n", dt,
-               bound);
+  say_warning(geometry::printed("the step of %.4g s is longer than the largest stable one, %.4g s: the run may diverge", dt, bound));
 }
 
 /// Builds, settles, shakes and writes. \return kDone, kNumericalFailure, or 128 + the signal that stopped it.
@@ -84,7 +85,7 @@ int run(const LoadedCase& c, const RunOptions& o) {
     print_way_on(folder.path());
     throw;
   }
-  if (!o.quiet) std::fputs(motion_lines(c.value, motion).c_str(), stderr);
+  if (!o.quiet) say_lines(motion_lines(c.value, motion));
 
   Checkpoints checkpoints(folder.path(), facts_of(sim, resolved, motion, o.reference_kernels), o.checkpoints);
   solver::RunState plan;

@@ -18,6 +18,7 @@
 #include "io/app/session/exit_code.h"
 #include "io/app/session/process.h"
 #include "io/input/files/hdf5_file.h"
+#include "io/input/messages/messages.h"
 #include "io/output/measures/capacity/capacity_file.h"
 #include "io/output/measures/chance.h"
 #include "io/output/measures/measures_file.h"
@@ -252,8 +253,9 @@ int print_rest(const Hdf5File& run, const std::vector<std::string>& missing, boo
     line("rows", rows + ", from " + text("%.3f", s["time_first"]) + " to " + text("%.3f s", s["time_last"]));
     line("missing", parts + ", with their rows");
   }
-  std::fprintf(stderr, "voussoir: %s: %s are missing beside it, the first is %s: no measures without their rows\n", run.path().c_str(),
-               parts.c_str(), missing.front().c_str());
+  say_error(kFileFault, {.text = run.path() + ": " + parts + " are missing beside it, the first is " + missing.front() +
+                                 ": no measures without their rows",
+                         .file = run.path()});
   return kFileFault;
 }
 

@@ -21,6 +21,7 @@
 #include "io/input/files/errors.h"
 #include "io/input/files/output_path.h"
 #include "io/input/files/scratch_folder.h"
+#include "io/input/messages/messages.h"
 #include "io/input/stones/stones.h"
 #include "io/output/report/pictures/stills.h"
 #include "io/output/report/report_data.h"
@@ -48,6 +49,7 @@ struct ShownModel {
   cases::Model model;
   std::string fault;
   std::vector<std::int32_t> at_fault;  // elements
+  std::vector<Message> faults{};       // with what they are about
 };
 
 /// Elements of faulty stones.
@@ -82,6 +84,7 @@ ShownModel with_faults(const LoadedCase& given, const cases::InputError& e) {
   s.model = cases::build_loose_model(s.value);
   s.at_fault = faults.empty() ? elements_in(s.fault, s.model.blocks.size()) : elements_of(s.model, s.value, faults);
   s.fault = words_of(faults, s.fault);
+  s.faults = given.messages(e);
   return s;
 }
 
@@ -138,7 +141,7 @@ int view_command(const LoadedCase& c, const ViewOptions& o, int threads) {
     write_still(text, o.view, output);
   }
   if (s.fault.empty()) return kDone;
-  tell(s.fault);
+  say_errors(kInputFault, says_json() ? s.faults : std::vector{Message{.text = s.fault}});
   return kInputFault;
 }
 

@@ -17,6 +17,7 @@
 #include "cases/solids/outside.h"
 #include "cases/walls/walls.h"
 #include "geometry/nth.h"
+#include "io/input/messages/messages.h"
 #include "io/input/motion/motion_files.h"
 #include "io/input/motion/spectra/figures.h"
 #include "io/input/motion/spectra/intensity.h"
@@ -225,7 +226,7 @@ std::vector<std::string> likely_slips(const LoadedCase& c, const cases::Model& m
 }
 
 void warn_of(const std::vector<std::string>& findings) {
-  for (const std::string& f : findings) std::fprintf(stderr, "voussoir: warning: %s\n", f.c_str());
+  for (const std::string& f : findings) say_warning(f);
 }
 
 }  // namespace voussoir::io

@@ -10,6 +10,7 @@
 #include "cases/loads/control_point.h"
 #include "io/app/session/likely_slips.h"
 #include "io/app/session/process.h"
+#include "io/input/messages/messages.h"
 #include "io/input/motion/support_motion.h"
 #include "solver/analysis/main_modes.h"
 
@@ -57,8 +58,7 @@ void fill_own_frequency(cases::Case& c, int threads) {
                             "is \"auto\", but no mode moves a tenth of the mass along y (voussoir modes lists them once a number stands "
                             "here); give a number of Hz");
   c.damping.frequency = std::strtod(four_digits(mode.frequency).c_str(), nullptr);
-  std::fprintf(stderr, "voussoir: damping.frequency = \"auto\": %s%s\n", mode_words(mode, 1).c_str(),
-               held ? ", with joints without a bond held as if bonded" : "");
+  say_info("damping.frequency = \"auto\": " + mode_words(mode, 1) + (held ? ", with joints without a bond held as if bonded" : ""));
 }
 
 }  // namespace voussoir::io

@@ -8,13 +8,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <new>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "io/app/session/exit_code.h"
+#include "io/input/messages/messages.h"
 
 namespace voussoir::io {
 namespace {
@@ -43,8 +44,10 @@ void take_stack() {
   const rlim_t before = limit.rlim_cur;
   limit.rlim_cur = limit.rlim_max == RLIM_INFINITY ? kUsualStack : std::min(limit.rlim_max, kUsualStack);
   if (limit.rlim_cur < kLeastStack || setrlimit(RLIMIT_STACK, &limit) != 0) {
-    std::fprintf(stderr, "voussoir: the stack is limited to %llu kB (ulimit -s); 1024 kB at least are needed\n",
-                 static_cast<unsigned long long>(before >> 10U));
+    std::array<char, 200> text{};
+    std::snprintf(text.data(), text.size(), "the stack is limited to %llu kB (ulimit -s); 1024 kB at least are needed",
+                  static_cast<unsigned long long>(before >> 10U));
+    say_error_without_memory(kFileFault, text.data(), "");
     std::_Exit(kFileFault);
   }
   pthread_attr_t usual;
@@ -55,8 +58,8 @@ void take_stack() {
 
 std::atomic<const char*> doing{"starting"};
 
-/// "388 MB are in use, ulimit -v allows 400 MB": what is known without memory.
-void print_memory() {
+/// Writes "; 388 MB are in use, ulimit -v allows 400 MB": what is known without memory.
+void describe_memory(char* text, std::size_t size) {
   unsigned long long pages = 0;
   if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
     if (std::fscanf(file, "%llu", &pages) != 1) pages = 0;
@@ -64,9 +67,11 @@ void print_memory() {
   }
   const double used = 1e-6 * static_cast<double>(pages) * static_cast<double>(sysconf(_SC_PAGESIZE));
   rlimit limit{};
-  if (pages > 0) std::fprintf(stderr, "; %.0f MB are in use", used);
+  int written = 0;
+  if (pages > 0) written = std::snprintf(text, size, "; %.0f MB are in use", used);
   if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
-    std::fprintf(stderr, ", ulimit -v allows %.0f MB", 1e-6 * static_cast<double>(limit.rlim_cur));
+    std::snprintf(text + written, size - static_cast<std::size_t>(written), ", ulimit -v allows %.0f MB",
+                  1e-6 * static_cast<double>(limit.rlim_cur));
 }
 
 /// Number of threads that the system gives at a time, at most `wanted`. \param why  receives the error that refused the next one
@@ -112,15 +117,10 @@ void prepare_process() {
   if (getrlimit(RLIMIT_AS, &memory) == 0 && memory.rlim_cur != RLIM_INFINITY) mallopt(M_ARENA_MAX, 1);
 }
 
-void tell(const std::string& message) {
-  std::istringstream lines(message);
-  for (std::string line; std::getline(lines, line);) std::fprintf(stderr, "voussoir: %s\n", line.c_str());
-}
-
 int code_after_output(int code) {
   std::cout.flush();
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good()) return code;
-  std::fprintf(stderr, "voussoir: standard output cannot be written\n");
+  say_error(kFileFault, {.text = "standard output cannot be written"});
   return code == kDone ? kFileFault : code;
 }
 
@@ -131,8 +131,8 @@ int threads_to_be_had(int wanted) {
   const int given = threads_given(wanted - 1, why);
   if (given == wanted - 1) return wanted;
   const int taken = 1 + given / 4;
-  std::fprintf(stderr, "voussoir: warning: of %d threads the system gives %d (%s; ulimit -v, -u); going on with %d\n", wanted, 1 + given,
-               why.c_str(), taken);
+  say_warning("of " + std::to_string(wanted) + " threads the system gives " + std::to_string(1 + given) + " (" + why +
+              "; ulimit -v, -u); going on with " + std::to_string(taken));
   return taken;
 }
 
@@ -140,12 +140,13 @@ int end_unexpectedly(const std::exception& e) {
   // A length_error is a size that is beyond any memory.
   const bool memory = dynamic_cast<const std::bad_alloc*>(&e) != nullptr || dynamic_cast<const std::length_error*>(&e) != nullptr;
   if (!memory) {
-    std::fprintf(stderr, "voussoir: %s\n", e.what());
+    say_error(kFileFault, {.text = e.what()});
     return kFileFault;
   }
-  std::fprintf(stderr, "voussoir: out of memory while %s", doing.load());
-  print_memory();
-  std::fputs("\n", stderr);
+  std::array<char, 200> beginning{}, used{};
+  std::snprintf(beginning.data(), beginning.size(), "out of memory while %s", doing.load());
+  describe_memory(used.data(), used.size());
+  say_error_without_memory(kFileFault, beginning.data(), used.data());
   return kFileFault;
 }
 

@@ -22,9 +22,6 @@ int threads_to_be_had(int wanted);
 /// Notes what the command does now, for the message if memory runs out. \param what  a literal: "building the model"
 void now_doing(const char* what);
 
-/// Prints each line of a message on standard error, behind the name of the program.
-void tell(const std::string& message);
-
 /// \return `code`, or that of a file fault if standard output has been lost, as on a full disk
 int code_after_output(int code);
 

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "geometry/message.h"
+#include "io/input/messages/messages.h"
 
 namespace voussoir::io {
 namespace {
@@ -68,8 +70,27 @@ std::string format_progress(const ProgressState& state, double steps_per_second,
   return line + printed("  energy error %.1e", state.residual);
 }
 
+std::string progress_json(const ProgressState& state, double steps_per_second, std::optional<double> seconds_left) {
+  using Json = nlohmann::ordered_json;
+  const bool at_rest = state.states >= 0;
+  Json out{{"kind", "progress"},
+           {"time", state.time},
+           {"end", state.settling || at_rest ? Json(nullptr) : Json(state.end_time)},
+           {"settling", state.settling},
+           {"step", state.step},
+           {"steps_per_second", steps_per_second},
+           {"seconds_left", seconds_left && !at_rest ? Json(*seconds_left) : Json(nullptr)},
+           {"broken", state.broken},
+           {"residual", state.residual},
+           {"states", at_rest ? Json(state.states) : Json(nullptr)}};
+  if (at_rest) out["factor"] = state.factor, out["unbalanced"] = state.unbalanced;
+  out["text"] = format_progress(state, steps_per_second, seconds_left);
+  return out.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 Progress::Mode Progress::mode_for(int descriptor, bool quiet) {
   if (quiet) return Mode::quiet;
+  if (says_json()) return Mode::json;
   return ::isatty(descriptor) == 1 ? Mode::terminal : Mode::log;
 }
 
@@ -91,7 +112,8 @@ void Progress::finish() {
 
 void Progress::write(bool last) {
   const bool terminal = mode_ == Mode::terminal;
-  const std::string line = format_progress(state_, rate_.steps_per_second(), rate_.seconds_left(state_.end_time));
+  const auto format = mode_ == Mode::json ? progress_json : format_progress;
+  const std::string line = format(state_, rate_.steps_per_second(), rate_.seconds_left(state_.end_time));
   // Return to the first column without wrapping, and erase the rest of a longer line.
   if (terminal)
     *out_ << "\r\x1b[?7l" << line << "\x1b[K\x1b[?7h" << (last ? "\n" : "");

@@ -49,16 +49,19 @@ std::string format_duration(double seconds);
 /// The line of progress without line end: "3.214 of 10 s 12,345 steps/s 2 min 10 s left 1,234 broken energy error 1.2e-06"; of states of
 /// rest "12 states of rest, HEADWAY, unbalanced 3.0e-04 12,345 steps/s ...".
 std::string format_progress(const ProgressState& state, double steps_per_second, std::optional<double> seconds_left);
+/// The same as a JSON object, figure by figure (io/README.md, Messages).
+std::string progress_json(const ProgressState& state, double steps_per_second, std::optional<double> seconds_left);
 
-/// Writes the progress of one run to a stream: on a terminal one line that is overwritten, elsewhere a line at intervals.
+/// Writes the progress of one run to a stream: on a terminal one line that is overwritten, elsewhere a line at intervals, for programs
+/// a JSON object a line.
 class Progress {
  public:
-  enum class Mode { terminal, log, quiet };
+  enum class Mode { terminal, log, quiet, json };
 
-  /// The suitable mode for a file descriptor (2: standard error).
+  /// The suitable mode for a file descriptor (2: standard error), by the form of all messages.
   static Mode mode_for(int descriptor, bool quiet);
 
-  /// \param log_interval  s of wall-clock time between two lines in a log; a terminal gets five lines per second
+  /// \param log_interval  s of wall-clock time between two lines in a log; a terminal and JSON get five lines per second
   Progress(std::ostream& out, Mode mode, double log_interval = 10.0)
       : out_(&out), mode_(mode), interval_(mode == Mode::log ? log_interval : 0.2) {}
 

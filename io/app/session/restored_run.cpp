@@ -10,6 +10,7 @@
 #include "io/app/session/process.h"
 #include "io/app/session/session.h"
 #include "io/input/files/errors.h"
+#include "io/input/messages/messages.h"
 #include "solver/world/errors.h"
 
 namespace voussoir::io {
@@ -47,8 +48,8 @@ void bring_back(RestoredRun& r, const solver::SavedState& state) {
     throw FileError(r.path, e.what());
   }
   if (now.program != then.program) {
-    std::fprintf(stderr, "voussoir: warning: the run was begun by another build (%s; this is %s): it goes on, but not to the same bits\n",
-                 then.program.c_str(), now.program.c_str());
+    say_warning("the run was begun by another build (" + then.program + "; this is " + now.program +
+                "): it goes on, but not to the same bits");
   }
 }
 

@@ -19,6 +19,7 @@
 #include "io/app/session/words/headway.h"
 #include "io/app/session/words/tie_lines.h"
 #include "io/input/files/errors.h"
+#include "io/input/messages/messages.h"
 #include "io/output/measures/capacity/capacity_file.h"
 #include "io/output/measures/capacity/light_elements.h"
 #include "io/output/measures/members/member_words.h"
@@ -90,7 +91,7 @@ void take_measures(ResultsWriter& results) {
   try {
     results.measure();
   } catch (const FileError& e) {
-    std::fprintf(stderr, "voussoir: warning: %s; the summary has no measures of the collapse\n", e.what());
+    say_warning(std::string(e.what()) + "; the summary has no measures of the collapse");
   }
 }
 
@@ -101,7 +102,7 @@ bool try_to(const Write& write, const char* lost) {
     write();
     return true;
   } catch (const FileError& e) {
-    std::fprintf(stderr, "voussoir: warning: %s; %s\n", e.what(), lost);
+    say_warning(std::string(e.what()) + "; " + lost);
     return false;
   }
 }
@@ -152,7 +153,7 @@ class Watch {
     } catch (const FileError& e) {
       if (must) throw;
       progress_.finish();
-      std::fprintf(stderr, "voussoir: warning: %s; the run goes on without this checkpoint\n", e.what());
+      say_warning(std::string(e.what()) + "; the run goes on without this checkpoint");
     }
   }
 
@@ -163,7 +164,7 @@ class Watch {
     const std::string text = settling_warning(sim_.world(), plan_);
     if (text.empty()) return;
     progress_.finish();
-    std::fprintf(stderr, "voussoir: warning: %s\n", text.c_str());
+    say_warning(text);
   }
 
   /// Prints the time spent on checkpoints.
@@ -213,14 +214,12 @@ std::vector<std::string> history_names(const cases::Case& c) {
 }
 
 void print_way_on(const std::string& folder) {
-  const char* name = folder.c_str();
   if (!checkpoint_files(folder).empty()) {
-    std::fprintf(stderr, "voussoir: the run has stopped; once its files can be written, 'voussoir resume %s' goes on\n", name);
+    say_info("the run has stopped; once its files can be written, 'voussoir resume " + folder + "' goes on");
   } else {
-    std::fprintf(stderr,
-                 "voussoir: the run has stopped before its first checkpoint: there is nothing to go on from; once files can be written, "
-                 "run the case anew ('voussoir run CASE -o %s --overwrite')\n",
-                 name);
+    say_info("the run has stopped before its first checkpoint: there is nothing to go on from; once files can be written, run the case "
+             "anew ('voussoir run CASE -o " +
+             folder + " --overwrite')");
   }
 }
 
@@ -235,7 +234,7 @@ int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState&
   std::optional<Signals> signals(std::in_place);
   Watch watch(sim, plan, results, checkpoints, LivePage(folder, page_every), quiet);
   const std::string light = light_elements_warning(sim.world(), c);
-  if (!light.empty()) std::fprintf(stderr, "voussoir: warning: %s\n", light.c_str());
+  if (!light.empty()) say_warning(light);
   try {
     now_doing("running");
     const solver::RunResult r = solver::run(sim, plan, c, c.end(), results, [&](const solver::RunStatus& s) { return watch.look(s); });
@@ -249,7 +248,10 @@ int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState&
     }
     take_measures(results);
     r.stopped ? results.flush() : static_cast<void>(results.finish());
-    if (r.stopped) std::fputs(stop_lines(c, r.summary.end_time, static_cast<int>(stop_signal), folder).c_str(), stdout);
+    if (r.stopped) {
+      std::fputs(stop_lines(c, r.summary.end_time, static_cast<int>(stop_signal), folder).c_str(), stdout);
+      say_json(stop_json(c, r.summary.end_time, static_cast<int>(stop_signal), folder));
+    }
     print_summary(r.summary, hash, folder, r.stopped);
     if (results.capacity()) std::printf("%s", capacity_text(*results.capacity()).c_str());
     if (results.measures()) std::fputs(loads_text(results.measures()->loads).c_str(), stdout);
@@ -259,11 +261,11 @@ int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState&
     return r.stopped ? 128 + static_cast<int>(stop_signal) : kDone;
   } catch (const solver::NumericalError& e) {
     watch.finish();
-    std::fprintf(stderr, "voussoir: numerical failure: %s\n", e.what());
+    say_error(kNumericalFailure, {.text = std::string("numerical failure: ") + e.what()});
     results.failure(e.what());
     if (try_to([&] { results.flush(); }, "the last rows are not in the results")) measure_failed(results);
     if (try_to([&] { checkpoints.save_failed(sim, plan, results.rows()); }, "the state is not saved"))
-      std::fprintf(stderr, "voussoir: the state is in %s/checkpoint-failed.h5\n", folder.c_str());
+      say_info("the state is in " + folder + "/checkpoint-failed.h5");
     return kNumericalFailure;
   } catch (const FileError&) {
     watch.finish();

@@ -3,6 +3,7 @@
 #include "io/app/session/stop_words.h"
 
 #include <csignal>
+#include <nlohmann/json.hpp>
 
 #include "io/output/measures/place_in_run.h"
 
@@ -19,6 +20,16 @@ std::string stop_lines(const cases::Case& c, double time, int signal, const std:
   return "stopped              " + place_in_run(c, time) + ", by " + name_of_signal(signal) +
          "\n                     what follows is how far it has come, not what comes out\nto go on             voussoir resume " + folder +
          "\n";
+}
+
+std::string stop_json(const cases::Case& c, double time, int signal, const std::string& folder) {
+  return nlohmann::ordered_json{{"kind", "stopped"},
+                                {"folder", folder},
+                                {"time", time},
+                                {"stage", stage_at(c, time)},
+                                {"signal", signal},
+                                {"text", place_in_run(c, time)}}
+      .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 }  // namespace voussoir::io

@@ -15,6 +15,7 @@
 #include "io/app/session/progress.h"
 #include "io/app/session/session.h"
 #include "io/input/files/scratch_folder.h"
+#include "io/input/messages/messages.h"
 #include "io/input/motion/motion_files.h"
 #include "solver/analysis/drive.h"
 #include "solver/world/errors.h"
@@ -118,7 +119,7 @@ int verify(const LoadedCase& c, bool reference_kernels, int threads) {
     s.steps = choose_steps(s);
     return compare_runs(s, std::max(2, threads));  // at least two, even where one is the default
   } catch (const solver::NumericalError& e) {
-    std::fprintf(stderr, "voussoir: numerical failure: %s\n", e.what());
+    say_error(kNumericalFailure, {.text = std::string("numerical failure: ") + e.what()});
     return kNumericalFailure;
   }
 }

@@ -10,6 +10,7 @@
 #include "io/app/session/process.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/output_path.h"
+#include "io/input/messages/messages.h"
 #include "io/output/report/paraview_files.h"
 #include "io/output/report/report_data.h"
 
@@ -46,7 +47,7 @@ void LivePage::look(double now) {
   try {
     write_output({folder_ + "/report.html", FileKind::page, "the page", true}, live_html(folder_ + "/run.h5", std::max(kOftenest, every_)));
   } catch (const std::exception& e) {
-    std::fprintf(stderr, "voussoir: warning: %s; the run goes on without this page\n", e.what());
+    say_warning(std::string(e.what()) + "; the run goes on without this page");
   }
   const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   next_ = now + took + std::max(every_, 20 * took);

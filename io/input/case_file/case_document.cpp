@@ -55,7 +55,8 @@ class Reader {
   Node read(const CaseText& text) {
     const auto file = static_cast<int>(files_.size());
     files_.push_back(text.path);
-    if (files_.size() > kMostFiles) throw CaseFileError(text.path + ": more than 64 files are included", "include", "too many files", 0);
+    if (files_.size() > kMostFiles) 
+      throw CaseFileError({{.text = text.path + ": more than 64 files are included", .file = text.path, .key = "include"}}, "too many files");
     open_.push_back(text.path);
     Node document = parse(text);
     set_file(document, file);
@@ -75,7 +76,7 @@ class Reader {
       return parse_document(text.text);
     } catch (const SyntaxError& e) {
       const std::string where = text.path + ":" + std::to_string(e.line()) + ":" + std::to_string(e.column());
-      throw CaseFileError(where + ": " + e.what(), "", e.what(), e.line());
+      throw CaseFileError({{.text = where + ": " + e.what(), .file = text.path, .line = e.line()}}, e.what());
     }
   }
 
@@ -107,11 +108,16 @@ class Reader {
       const auto* name = node.as<std::string>();
       if (name == nullptr || name->empty()) {
         const std::string problem = "wanted the name of a case or the path of a .toml file, or an array of them";
-        throw CaseFileError(where + ": " + problem, "include", problem, node.source.line);
+        throw CaseFileError({{.text = where + ": " + problem, .file = text.path, .line = node.source.line, .key = "include"}}, problem);
       }
-      const CaseText part = find(text, *name, where);
+      const CaseText part = find(text, *name, where, node.source.line);
       if (std::find(open_.begin(), open_.end(), part.path) != open_.end())
-        throw CaseFileError(where + " = \"" + *name + "\" leads back to itself", "include", "leads back to itself", node.source.line);
+        throw CaseFileError({{.text = where + " = \"" + *name + "\" leads back to itself",
+                              .file = text.path,
+                              .line = node.source.line,
+                              .key = "include",
+                              .value = toml_string(*name)}},
+                            "leads back to itself");
       Node next = read(part);
       make_way(next, whole);
       lay_over(std::move(next), whole);
@@ -142,7 +148,7 @@ class Reader {
     return cases::nearest(name, names);
   }
 
-  static CaseText find(const CaseText& from, const std::string& name, const std::string& where) {
+  static CaseText find(const CaseText& from, const std::string& name, const std::string& where, int line) {
     if (from.built_in) {
       if (const auto part = built_in_part(name)) return text_of(*part);
     }
@@ -158,7 +164,8 @@ class Reader {
     try {
       return find_case(name, from.folder);
     } catch (const CaseFileError& e) {
-      throw CaseFileError(where + ": " + e.problem(), "include", e.problem(), 0);
+      throw CaseFileError({{.text = where + ": " + e.problem(), .file = from.path, .line = line, .key = "include", .value = toml_string(name)}},
+                          e.problem());
     }
   }
 
@@ -222,7 +229,7 @@ CaseText find_case(const std::string& name, const std::string& folder) {
   const std::string near = fs::exists(file + ".toml", error) ? name + ".toml" : cases::nearest(name, names);
   const std::string problem = "case \"" + name + "\" is neither in the catalogue nor a file; " +
                               (near.empty() ? "" : "did you mean \"" + near + "\"? ") + "The catalogue: " + joined(names);
-  throw CaseFileError(problem, "", problem, 0);
+  throw CaseFileError({{.text = problem, .value = toml_string(name)}}, problem);
 }
 
 Document read_document(const CaseText& text) {

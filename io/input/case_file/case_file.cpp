@@ -28,41 +28,67 @@ std::string parent_of(const std::string& path) {
 /// An error with its place.
 struct Described {
   Source source;
-  std::string text;
+  Message message;
 };
 
-Described described(const LoadedCase& c, const cases::InputError& error) {
-  if (error.key().empty()) return {{}, c.path + ": " + error.problem()};
-  if (const auto it = c.keys.find(error.key()); it != c.keys.end()) {
-    return {it->second.source, it->second.where + ": " + sentence_of(error.key(), it->second.value, error.problem())};
-  }
-  const std::string message = sentence_of(error.key(), "", error.problem());
-  for (std::string at = parent_of(error.key()); !at.empty(); at = parent_of(at)) {
-    if (const auto it = c.keys.find(at); it != c.keys.end()) return {it->second.source, it->second.where + ": " + message};
-  }
-  return {{}, c.path + ": " + message};
+Described at(const KeyPlace& place, Message message) {
+  message.file = place.file, message.line = place.source.line;
+  message.text = place.where + ": " + message.text;
+  return {place.source, std::move(message)};
 }
 
-/// All faults of a text, a line each.
-[[noreturn]] void refuse(const std::vector<Fault>& faults, const Document& document, const std::vector<std::string>& overrides) {
+Described described(const LoadedCase& c, const cases::InputError& error) {
+  if (error.key().empty()) return {{}, {.text = c.path + ": " + error.problem(), .file = c.path}};
+  if (const auto it = c.keys.find(error.key()); it != c.keys.end()) {
+    const std::string& value = it->second.value;
+    return at(it->second, {.text = sentence_of(error.key(), value, error.problem()), .key = error.key(), .value = value});
+  }
+  const std::string sentence = sentence_of(error.key(), "", error.problem());
+  for (std::string up = parent_of(error.key()); !up.empty(); up = parent_of(up)) {
+    if (const auto it = c.keys.find(up); it != c.keys.end()) return at(it->second, {.text = sentence, .key = error.key()});
+  }
+  return {{}, {.text = c.path + ": " + sentence, .file = c.path, .key = error.key()}};
+}
+
+std::string lines_of(const std::vector<Message>& messages) {
   std::vector<std::string> lines;
+  for (const Message& m : messages) lines.push_back(m.text);
+  return joined(lines, "\n");
+}
+
+std::string file_of(const Document& document, Source source) { return source.set >= 0 ? "" : nth(document.files, source.file); }
+
+[[noreturn]] void refuse(const std::vector<Fault>& faults, const Document& document, const std::vector<std::string>& overrides) {
+  std::vector<Message> messages;
   for (const Fault& fault : faults)
-    lines.push_back(place_of(document, overrides, fault.source) + ": " + sentence_of(fault.key, fault.value, fault.problem));
-  const Fault& first = faults.front();
-  throw CaseFileError(joined(lines, "\n"), first.key, first.problem, first.source.line);
+    messages.push_back({.text = place_of(document, overrides, fault.source) + ": " + sentence_of(fault.key, fault.value, fault.problem),
+                        .file = file_of(document, fault.source),
+                        .line = fault.source.line,
+                        .key = fault.key,
+                        .value = fault.value,
+                        .allowed = fault.allowed});
+  throw CaseFileError(messages, faults.front().problem);
 }
 
 }  // namespace
 
-std::string LoadedCase::describe(const cases::InputError& error) const {
+CaseFileError::CaseFileError(std::vector<Message> faults, const std::string& problem)
+    : InputError(faults.front().key, problem), faults_(std::move(faults)), message_(lines_of(faults_)) {}
+
+std::string LoadedCase::describe(const cases::InputError& error) const { return lines_of(messages(error)); }
+
+std::vector<Message> LoadedCase::messages(const cases::InputError& error) const {
   const auto* several = dynamic_cast<const cases::InputErrors*>(&error);
-  if (several == nullptr) return described(*this, error).text;
   std::vector<Described> all;
-  for (const cases::InputError& one : several->all()) all.push_back(described(*this, one));
+  if (several == nullptr) {
+    all.push_back(described(*this, error));
+  } else {
+    for (const cases::InputError& one : several->all()) all.push_back(described(*this, one));
+  }
   std::ranges::stable_sort(all, [](const Described& a, const Described& b) { return a.source.before(b.source); });
-  std::vector<std::string> lines;
-  for (const Described& d : all) lines.push_back(d.text);
-  return joined(lines, "\n");
+  std::vector<Message> messages;
+  for (Described& d : all) messages.push_back(std::move(d.message));
+  return messages;
 }
 
 LoadedCase read_case(const CaseText& text, const std::vector<std::string>& overrides) {
@@ -76,7 +102,7 @@ LoadedCase read_case(const CaseText& text, const std::vector<std::string>& overr
   if (reading.faults() > 0) refuse(reading.all(), document, overrides);
   for (const auto& [key, known] : reading.known()) {
     const bool included = known.source.set < 0 && (known.source.file > 0 || text.built_in);
-    loaded.keys[key] = {known.source, place_of(document, overrides, known.source), known.value, included};
+    loaded.keys[key] = {known.source, place_of(document, overrides, known.source), file_of(document, known.source), known.value, included};
   }
   for (const Fault& d : reading.doubts())
     loaded.findings.push_back(place_of(document, overrides, d.source) + ": " + sentence_of(d.key, d.value, d.problem));

@@ -8,6 +8,7 @@
 
 #include "cases/case.h"
 #include "io/input/document/case_tree.h"
+#include "io/input/messages/messages.h"
 
 /// Reading of case files (TOML) to plain data, and writing. SI units, degrees.
 namespace voussoir::io {
@@ -16,15 +17,16 @@ namespace voussoir::io {
 /// several faults have a line each, in file order, and the other fields are those of the first.
 class CaseFileError : public cases::InputError {
  public:
-  CaseFileError(std::string message, const std::string& key, const std::string& problem, int line)
-      : InputError(key, problem), message_(std::move(message)), line_(line) {}
+  /// \param faults  one or more, whose texts are the lines of the message \param problem  of the first
+  CaseFileError(std::vector<Message> faults, const std::string& problem);
   [[nodiscard]] const char* what() const noexcept override { return message_.c_str(); }
   /// Line number from 1; 0: an override or the whole file.
-  [[nodiscard]] int line() const noexcept { return line_; }
+  [[nodiscard]] int line() const noexcept { return static_cast<int>(faults_.front().line); }
+  [[nodiscard]] const std::vector<Message>& faults() const noexcept { return faults_; }
 
  private:
+  std::vector<Message> faults_;
   std::string message_;
-  int line_;
 };
 
 /// The text of a case from any source. `path` is its name in messages; relative files in the case start at `folder`.
@@ -38,6 +40,7 @@ struct CaseText {
 struct KeyPlace {
   Source source;
   std::string where;      // "house.toml:14" or "--set house.height=7"
+  std::string file;       // empty: an override
   std::string value;      // "7 m"; empty: the key is a table
   bool included = false;  // from an included case, or from a ready case under overrides
 };
@@ -54,6 +57,8 @@ struct LoadedCase {
   /// itself is not given, file and line are those of the nearest enclosing table.
   /// Several errors (cases::InputErrors) have a line each, in file order.
   [[nodiscard]] std::string describe(const cases::InputError& error) const;
+  /// The same, error by error, with what each is about.
+  [[nodiscard]] std::vector<Message> messages(const cases::InputError& error) const;
 };
 
 /// Finds a case and reads it: a name without '/' and without ".toml" is first looked up in the catalogue, anything else is a path.
@@ -83,5 +88,8 @@ std::string key_reference();
 
 /// The key reference as Markdown, one table each: cases/KEYS.md.
 std::string key_reference_markdown();
+
+/// The key reference as JSON, for programs: an array of tables, each with its keys (io/README.md, Keys in JSON).
+std::string key_reference_json();
 
 }  // namespace voussoir::io

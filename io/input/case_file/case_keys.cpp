@@ -67,6 +67,7 @@ void RuleCheck::fault(const std::string& key, const std::string& problem) const 
 void RuleCheck::doubt(const std::string& key, const std::string& problem) const { reading.doubt(at(key, problem)); }
 
 void Lines::header(const Header& at, const std::string& sentence) {
+  if (tables != nullptr) return static_cast<void>(tables->emplace_back(at, sentence));
   if (markdown) {
     out += markdown_header(at, sentence);
     return;
@@ -83,7 +84,14 @@ void Lines::key(const KeyInfo& info, const std::string& text) {
   out += padded(left, 32) + "  # " + comment_of(info, false) + "\n";
 }
 
+void Lines::in_place_of(const std::string& path, const KeyInfo& info) const {
+  if (tables == nullptr) return;
+  for (ListedTable& t : *tables)
+    if (t.at.path == path) t.in_place = info.types;
+}
+
 void Lines::reference(const KeyInfo& info, const std::string& default_text) {
+  if (tables != nullptr) return tables->back().keys.push_back({info, default_text});
   if (markdown) {
     out += markdown_row(info, default_text);
     return;

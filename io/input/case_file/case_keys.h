@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "cases/names.h"
-#include "geometry/vec3.h"
+#include "io/input/case_file/toml_shapes.h"
 #include "io/input/document/case_values.h"
 
 /// One option table per struct of the case: name, unit, allowed values, a sentence, and the location of the value. The table serves to
@@ -27,39 +27,6 @@ inline std::string value_text(double v) { return toml_number(v); }
 inline std::string value_text(int v) { return std::to_string(v); }
 inline std::string value_text(bool v) { return v ? "true" : "false"; }
 inline std::string value_text(const std::string& v) { return toml_string(v); }
-
-template <class T>
-struct TomlShape;
-template <>
-struct TomlShape<double> {
-  static std::string text() { return "a number"; }
-};
-template <>
-struct TomlShape<int> {
-  static std::string text() { return "an integer"; }
-};
-template <>
-struct TomlShape<bool> {
-  static std::string text() { return "true or false"; }
-};
-template <>
-struct TomlShape<std::string> {
-  static std::string text() { return "a string in quotes"; }
-};
-template <>
-struct TomlShape<Vec3> {
-  static std::string text() { return "an array [x, y, z]"; }
-};
-template <class T, std::size_t N>
-struct TomlShape<std::array<T, N>> {
-  static std::string text() { return "an array of " + std::to_string(N) + ", each " + TomlShape<T>::text(); }
-};
-template <class T>
-struct TomlShape<std::vector<T>> {
-  static std::string text() { return "an array, each " + TomlShape<T>::text(); }
-};
-template <class T>
-struct TomlShape<std::optional<T>> : TomlShape<T> {};
 
 std::string value_text(Vec3 v);
 template <class T, std::size_t N>
@@ -148,15 +115,30 @@ struct Header {
   [[nodiscard]] std::string text() const { return path.empty() ? "" : (array ? "[[" + path + "]]" : "[" + path + "]"); }
 };
 
-/// Collects the lines of a resolved case or of the key reference (plain, or as Markdown tables).
+/// A table of the key reference, for programs.
+struct ListedTable {
+  struct Row {
+    KeyInfo info;
+    std::string default_text;  // TOML; empty: none
+  };
+  Header at;
+  std::string sentence;
+  std::vector<Row> keys{};
+  std::vector<ValueType> in_place{};  // values that may stand in place of the table
+};
+
+/// Collects the lines of a resolved case or of the key reference (plain, or as Markdown tables), or its tables themselves.
 struct Lines {
   std::string out;
   bool markdown = false;
+  std::vector<ListedTable>* tables = nullptr;  // null: lines
   void header(const Header& at, const std::string& sentence);
   void absent_table(const Header& at, const std::string& sentence);
   /// Appends "name = text # comment"; for an empty text, the comment only.
   void key(const KeyInfo& info, const std::string& text);
   void reference(const KeyInfo& info, const std::string& default_text);
+  /// A value that may stand in place of the table with that path.
+  void in_place_of(const std::string& path, const KeyInfo& info) const;
 };
 
 /// A key of struct S: a value (`text`), or a table or tables (`write` and `list`).
@@ -245,6 +227,7 @@ void list_table(const Table<S>& table, Lines& lines, const Header& at) {
   }
   for (const Key<S>& key : table.keys) {
     if (key.list) key.list(lines, path_to(at.path, key.info.name));
+    if (key.list && !key.info.types.empty()) lines.in_place_of(path_to(at.path, key.info.name), key.info);
   }
 }
 
@@ -320,7 +303,8 @@ using Member = std::remove_cvref_t<std::invoke_result_t<Get, S&>>;
 /// A key for a number, an array of numbers, a truth value, a string, ...
 template <class S, class Get>
 Key<S> value(std::string name, Get get, std::string unit, Limits limits, std::string sentence) {
-  KeyInfo info{std::move(name), std::move(unit), std::move(sentence), limits, TomlShape<Member<S, Get>>::text(), false};
+  KeyInfo info{std::move(name), std::move(unit), std::move(sentence), limits,
+               TomlShape<Member<S, Get>>::text(), false, {TomlShape<Member<S, Get>>::type()}};
   return {info,
           [=](const Node& node, S& s, Reading& reading, const std::string& path) {
             read_value(node, std::invoke(get, s), info, reading, path);
@@ -332,7 +316,7 @@ Key<S> value(std::string name, Get get, std::string unit, Limits limits, std::st
 template <class S>
 Key<S> auto_or_number(std::string name, std::optional<double> S::*get, std::string unit, Limits limits, std::string sentence) {
   Key<S> key = value<S>(std::move(name), get, std::move(unit), limits, std::move(sentence));
-  key.info.shape = "\"auto\" or a number";
+  key.info.shape = "\"auto\" or a number", key.info.words = {"\"auto\""};
   key.read = [get, info = key.info](const Node& node, S& s, Reading& reading, const std::string& path) {
     if (same_word(node, "\"auto\"")) {
       (s.*get).reset();
@@ -357,7 +341,7 @@ Key<S> choice(std::string name, Get get, std::string unit, std::vector<std::pair
   const auto toml = [](const std::string& word) { return std::is_same_v<T, double> || std::is_same_v<T, int> ? word : toml_string(word); };
   std::vector<std::string> texts;
   for (const auto& word : words) texts.push_back(toml(word.first));
-  KeyInfo info{std::move(name), std::move(unit), std::move(sentence), any(), joined(texts, " | "), false};
+  KeyInfo info{std::move(name), std::move(unit), std::move(sentence), any(), joined(texts, " | "), false, {}, texts};
   const auto read = [=](const Node& node, S& s, Reading& reading, const std::string& path) {
     for (const auto& [word, meaning] : words) {
       if (same_word(node, toml(word))) {

@@ -27,7 +27,7 @@ struct Override {
   std::string value;
 
   [[noreturn]] void refuse(const std::string& problem) const {
-    throw CaseFileError("--set " + std::string(text) + ": " + problem, "", problem, 0);
+    throw CaseFileError({{.text = "--set " + std::string(text) + ": " + problem, .key = "--set", .value = std::string(text)}}, problem);
   }
   [[nodiscard]] Source source() const { return {0, 0, index}; }
 };

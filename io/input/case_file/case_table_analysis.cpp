@@ -59,7 +59,7 @@ Key<Analysis> control_key() {
       "the control point, whose displacement is that of the capacity curve: the element whose centroid is nearest to a point; or, of a "
       "block, a stone or a part of the house by its name, as \"front wall, storey 2\", the element on top nearest to the axis of its "
       "centre of mass; none: the same of the whole model; where vertical loads grow, the loaded one");
-  key.info.shape = "an array [x, y, z] or a name in quotes";
+  key.info.shape = "an array [x, y, z] or a name in quotes", key.info.types.push_back({"string", {}});
   key.read = [info = key.info](const Node& node, Analysis& a, Reading& reading, const std::string& path) {
     if (const auto* name = node.as<std::string>()) {
       a.control.reset(), a.control_name = *name;

@@ -90,7 +90,7 @@ void check_block(const BlockSpec& s, const RuleCheck& check) {
 Key<Motion> scale_key() {
   Key<Motion> key = value<Motion>("scale", &Motion::scale, "", any().usually(usual::kFactor),
                                   "factor of the motion, or one each for L, T, V (for x, y, z if files are given so)");
-  key.info.shape = "a number or an array [L, T, V]";
+  key.info.shape = "a number or an array [L, T, V]", key.info.types.push_back({"number", {}});
   key.read = [info = key.info](const Node& node, Motion& motion, Reading& reading, const std::string& path) {
     if (node.as<Node::Array>() != nullptr) {
       read_value(node, motion.scale, info, reading, path);
@@ -106,7 +106,7 @@ Key<Motion> taper_key() {
   Key<Motion> key = value<Motion>(
       "taper", [](auto& motion) -> auto& { return motion.treatment.taper; }, "s", at_least(0.0).possibly(0.0, kLongestRun),
       "half a cosine from zero at the start and to zero at the end of each component, after cut and baseline; or one each");
-  key.info.shape = "a number or an array [start, end]";
+  key.info.shape = "a number or an array [start, end]", key.info.types.push_back({"number", {}});
   key.read = [info = key.info](const Node& node, Motion& motion, Reading& reading, const std::string& path) {
     if (node.as<Node::Array>() != nullptr) {
       read_value(node, motion.treatment.taper, info, reading, path);

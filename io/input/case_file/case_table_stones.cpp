@@ -19,6 +19,7 @@ Key<StonesSpec> turn_key() {
                         if (norm(s.axis) < kShortestVector) check.fault("axis", "has no direction");
                       }};
   Key<StonesSpec> key = table<StonesSpec>("turn", &StonesSpec::turn, turn);
+  key.info.types = {{"number", {}}};
   key.read = [as_table = key.read, info = key.info](const Node& node, StonesSpec& s, Reading& reading, const std::string& path) {
     if (node.as<Node::Table>() != nullptr) return as_table(node, s, reading, path);
     KeyInfo number = info;
@@ -38,7 +39,9 @@ Key<StonesSpec> supports_key() {
               "it marks none and the case has neither [base] nor a fixed block: \"ground\"",
               any().possibly(0.0, usual::kFarthest),
               "\"ground\" | \"none\", a number or an array of names",
-              false};
+              false,
+              {{"number", {}}, {"string", {-1}}},
+              {"\"ground\"", "\"none\""}};
   key.read = [info = key.info](const Node& node, StonesSpec& s, Reading& reading, const std::string& path) {
     using Kind = StoneSupports::Kind;
     if (same_word(node, "\"ground\"") || same_word(node, "\"none\"")) {

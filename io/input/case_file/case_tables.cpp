@@ -48,7 +48,7 @@ Key<Damping> frequency_key() {
   Key<Damping> key = value<Damping>("frequency", &Damping::frequency, "Hz", above(0.0).usually(usual::kFrequency),
                                     "where the ratio holds: the natural frequency; auto: of the mode with the largest mass in y, computed "
                                     "before the run and kept in its case.toml (four digits)");
-  key.info.shape = "\"auto\" or a number";
+  key.info.shape = "\"auto\" or a number", key.info.words = {"\"auto\""};
   key.read = [info = key.info](const Node& node, Damping& damping, Reading& reading, const std::string& path) {
     damping.own_frequency = same_word(node, "\"auto\"");
     if (damping.own_frequency) {

@@ -102,6 +102,12 @@ std::string Limits::text() const {
   return "";
 }
 
+std::string KeyInfo::allowed() const {
+  std::string all = shape;
+  for (const std::string& part : {unit, limits.full_text()}) all += (all.empty() || part.empty() ? "" : ", ") + part;
+  return all;
+}
+
 std::string sentence_of(const std::string& key, const std::string& value, const std::string& problem) {
   if (key.empty() || problem.starts_with(key + " ")) return problem;
   if (problem.starts_with("= ")) return key + " " + problem;
@@ -125,12 +131,13 @@ void Reading::wrong_type(const Node& node, const std::string& path, const KeyInf
   const std::string limits = info.limits.text();
   const std::string details = info.unit.empty() || limits.empty() ? info.unit + limits : info.unit + ", " + limits;
   fault({node.source, path, short_text(node),
-         "found " + kind_of(node) + ", wanted " + info.shape + (details.empty() ? "" : " (" + details + ")")});
+         "found " + kind_of(node) + ", wanted " + info.shape + (details.empty() ? "" : " (" + details + ")"),
+         info.allowed()});
 }
 
 void Reading::bad_value(const Node& node, const std::string& path, const KeyInfo& info, const std::string& problem) {
   const bool with_unit = !info.unit.empty() && is_number(node);
-  fault({node.source, path, short_text(node) + (with_unit ? " " + info.unit : ""), problem});
+  fault({node.source, path, short_text(node) + (with_unit ? " " + info.unit : ""), problem, info.allowed()});
 }
 
 bool Reading::mistyped(const Node& node, const std::string& path, const KeyInfo& info, const std::vector<std::string>& words) {
@@ -148,14 +155,15 @@ void Reading::unknown_key(const Entry& entry, const std::string& table_path, con
   }
   const std::string table = table_path.empty() ? "the case file" : "[" + table_path + "]";
   fault({entry.node.source, cut(path_to(table_path, entry.name)), "",
-         "unknown key; " + cases::did_you_mean(entry.name, allowed) + "Keys of " + table + ": " + joined(allowed)});
+         "unknown key; " + cases::did_you_mean(entry.name, allowed) + "Keys of " + table + ": " + joined(allowed), joined(allowed)});
 }
 
 void Reading::missing_key(const Node& table, const std::string& table_path, const KeyInfo& info) {
   const std::string unit = info.unit.empty() ? "" : ", " + info.unit;
   const std::string limits = info.limits.text();
   fault({table.source, path_to(table_path, info.name), "",
-         "is missing; wanted " + info.shape + unit + (limits.empty() ? "" : ", " + limits) + ": " + info.sentence});
+         "is missing; wanted " + info.shape + unit + (limits.empty() ? "" : ", " + limits) + ": " + info.sentence,
+         info.allowed()});
 }
 
 void Reading::know(const std::string& path, const Node& node, const std::string& unit) {

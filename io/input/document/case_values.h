@@ -99,18 +99,30 @@ inline Limits within(double low, double high) {
   return l;
 }
 
+/// A type that values of a key may have, for programs.
+struct ValueType {
+  std::string of;            // number, integer, boolean, string
+  std::vector<int> extents;  // of an array, from without; -1: any
+};
+
 /// Properties of a key other than its value.
 struct KeyInfo {
   std::string name, unit, sentence;
   Limits limits;
   std::string shape;  // "number", "[number, number]", "a | b"
   bool required = false;
+  std::vector<ValueType> types{};    // what `shape` says; any of them
+  std::vector<std::string> words{};  // as TOML has them, that may stand in place of such a value, or are all that may
+
+  /// Text such as "a number, m, > 0, usually 0.1 to 60".
+  [[nodiscard]] std::string allowed() const;
 };
 
 /// One fault of a case.
 struct Fault {
   Source source;
   std::string key, value, problem;
+  std::string allowed{};  // by the key itself, in words; empty: not known
 };
 
 /// The text "key = value: problem", joined to a sentence.

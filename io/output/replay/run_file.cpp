@@ -8,6 +8,7 @@
 
 #include "io/input/files/errors.h"
 #include "io/input/files/sealed_pages.h"
+#include "io/input/messages/messages.h"
 #include "io/output/replay/values/run_values.h"
 
 namespace voussoir::io {
@@ -25,8 +26,7 @@ Hdf5File open_run(const std::string& path) {
                                     std::to_string(kOldestSchema) + " on: a program of before 28 November 2026 wrote it");
   if (!run.sealed() && version >= kSealedSchema) throw FileError(run.path(), "is damaged: it has lost its seal");
   if (!run.sealed())
-    std::fprintf(stderr, "voussoir: note: %s: not sealed (schema %lld): damage to it may stay unnoticed\n", run.path().c_str(),
-                 static_cast<long long>(version));
+    say_note(run.path() + ": not sealed (schema " + std::to_string(version) + "): damage to it may stay unnoticed");
   check_shapes(run);
   run.inspect(check_values);
   return run;

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "io/input/files/run_folder.h"
+#include "io/input/messages/messages.h"
 
 namespace voussoir::io {
 
@@ -44,7 +45,7 @@ void note_state(const Hdf5File& run) {
   static std::set<std::string> told;
   const RunState state = run_state(run);
   if (state.words.empty() || !told.insert(run.path()).second) return;
-  std::fprintf(stderr, "voussoir: note: %s: not finished: %s\n", run.path().c_str(), state.words.c_str());
+  say_note(run.path() + ": not finished: " + state.words);
 }
 
 }  // namespace voussoir::io

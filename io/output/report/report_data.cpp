@@ -14,6 +14,7 @@
 #include "io/input/files/hdf5_file.h"
 #include "io/input/files/packed_text.h"
 #include "io/input/files/sealed_file.h"
+#include "io/input/messages/messages.h"
 #include "io/output/replay/covered_faces.h"
 #include "io/output/replay/frame_reader.h"
 #include "io/output/replay/joint_cracks.h"
@@ -64,7 +65,7 @@ void put_bodies(Scripts& out, const Hdf5File& file, const FrameReader& reader) {
   } catch (const DamagedFile&) {
     throw;
   } catch (const FileError& e) {
-    std::fprintf(stderr, "warning: the page has no mechanism: %s\n", e.what());
+    say_warning(std::string("the page has no mechanism: ") + e.what(), "");
   }
 }
 
@@ -76,7 +77,7 @@ void put_cracks(Scripts& out, const Hdf5File& file, const FrameReader& reader) {
   } catch (const DamagedFile&) {
     throw;
   } catch (const std::exception& e) {
-    std::fprintf(stderr, "warning: the page has no table of cracks: %s\n", e.what());
+    say_warning(std::string("the page has no table of cracks: ") + e.what(), "");
   }
 }
 

@@ -18,6 +18,7 @@
 #include "io/input/files/errors.h"
 #include "io/input/files/hdf5_file.h"
 #include "io/input/files/sealed_file.h"
+#include "io/input/messages/messages.h"
 #include "io/input/motion/motion_files.h"
 #include "io/input/motion/spectra/figures.h"
 #include "io/input/motion/spectra/intensity.h"
@@ -146,7 +147,7 @@ Json texts(const Hdf5File& file, const std::string& object, const std::vector<st
   return out;
 }
 
-void warn(const char* what, const std::exception& e) { std::fprintf(stderr, "warning: the page has no %s: %s\n", what, e.what()); }
+void warn(const char* what, const std::exception& e) { say_warning(std::string("the page has no ") + what + ": " + e.what(), ""); }
 
 /// The name of a record without folders, which could identify the user.
 std::string record_name(const cases::Motion& m) {
@@ -178,11 +179,11 @@ cases::GroundMotion motion_of(const LoadedCase& c, const Hdf5File& file) {
   try {
     cases::GroundMotion records = load_motion(m, c.value.folder);
     if (shook(records, file)) return records;
-    std::fprintf(stderr, "warning: the records of the motion have changed since the run; the page shows the motion that the run holds\n");
+    say_warning("the records of the motion have changed since the run; the page shows the motion that the run holds", "");
   } catch (const DamagedFile&) {
     throw;
   } catch (const std::exception& e) {
-    std::fprintf(stderr, "warning: %s; the page shows the motion that the run holds\n", e.what());
+    say_warning(std::string(e.what()) + "; the page shows the motion that the run holds", "");
   }
   return applied;
 }

@@ -41,7 +41,7 @@ class ForeignNames(InAFolder):
         for encoding in ("latin-1", "utf-8-sig", "utf-16", "utf-16-le", "utf-16-be"):
             with self.subTest(encoding):
                 model = self.model(encoding)
-                text = model.check()
+                text = model.describe()
                 self.assertIn("Pièce_1", text)
                 self.assertIn("México, Peñón, 090", text)
                 model.view(self.folder / "model.html", overwrite=True).read_text(encoding="utf-8")

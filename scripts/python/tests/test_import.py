@@ -31,6 +31,14 @@ class Import(unittest.TestCase):
         for code in ("import voussoir; voussoir.Run", "import voussoir; voussoir.Model('two').run('nowhere')"):
             self.assertRegex(said_by(code, PACKAGE.parent), r"ImportError: results need (numpy|h5py): pip install")
 
+    def test_it_is_quick_and_takes_nothing_large(self) -> None:
+        code = ("import sys, time; start = time.process_time(); import voussoir; took = time.process_time() - start; "
+                "print(took, sorted({'numpy', 'h5py', 'matplotlib', 'voussoir.parts', 'voussoir.results'} & {*sys.modules}))")
+        said = [subprocess.run([sys.executable, "-c", code], env={**os.environ, "PYTHONPATH": str(PACKAGE.parent)}, capture_output=True, text=True,
+                               check=True).stdout.split(None, 1) for _ in range(3)]
+        self.assertLess(min(float(took) for took, _ in said), 0.2)  # s of a processor
+        self.assertEqual({others.strip() for _, others in said}, {"[]"})
+
     def test_names_are_listed_and_others_refused(self) -> None:
         self.assertIn("Model", said_by("import voussoir; print(dir(voussoir))", PACKAGE.parent))
         self.assertIn("no attribute 'Modell'", said_by("import voussoir; voussoir.Modell", PACKAGE.parent))

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Models, and what is wrong with them."""
 
-import json
 import os
 import tomllib
 import unittest
@@ -17,7 +16,33 @@ class Errors(InAFolder):
         model["materials.stone.density"] = -3.0
         with self.assertRaisesRegex(voussoir.InputError, r"two-bonded-blocks\.toml:\d+: materials\.stone\.density.*-3.*> 0") as caught:
             model.check()
-        self.assertEqual(caught.exception.code, 2)
+        error = caught.exception
+        self.assertEqual((error.code, error.key, error.value), (2, "materials.stone.density", "-3 kg/m3"))
+        self.assertTrue(error.file.endswith("two-bonded-blocks.toml"))
+        self.assertEqual(model.text().splitlines()[error.line - 1], "density = -3.0")
+        self.assertIn("> 0", error.allowed)
+        self.assertEqual(error.faults[0].text, str(error))
+
+    def test_all_faults_are_told(self):
+        model = blocks()
+        model["materials.stone.density"], model["time.duration"] = -3.0, -1.0
+        with self.assertRaises(voussoir.InputError) as caught:
+            model.check()
+        self.assertEqual({fault.key for fault in caught.exception.faults}, {"materials.stone.density", "time.duration"})
+        self.assertEqual(str(caught.exception), "\n".join(fault.text for fault in caught.exception.faults))
+
+    def test_faults_of_files_and_options(self):
+        with self.assertRaises(voussoir.FileError) as caught:
+            voussoir.summary(self.folder / "none")
+        self.assertTrue(caught.exception.file.startswith(str(self.folder / "none")))
+        self.assertIsNone(caught.exception.key)
+        blocks().run(self.folder / "run", progress=False)
+        with self.assertRaises(voussoir.InputError) as caught:
+            voussoir.resume(self.folder / "run", until=0.01, progress=False)
+        self.assertEqual((caught.exception.key, caught.exception.line), ("--until", None))
+        with self.assertRaises(voussoir.FileError) as caught:
+            voussoir.Run(self.folder).energy
+        self.assertEqual((caught.exception.file, caught.exception.faults), (None, ()))  # of the package itself
 
     def test_keys_that_it_does_not_know(self):
         model = voussoir.Model(include="flat20n")
@@ -61,12 +86,15 @@ class Models(InAFolder):
 
         def counts(text):  # without the lines that name the file, and the one of how long a run takes on this machine
             return [line for line in text.splitlines()[1:] if not line.startswith("estimate")]
-        self.assertEqual(counts(model.check()), counts(theirs.check()))
+        self.assertEqual(counts(model.describe()), counts(theirs.describe()))
+        self.assertEqual(model.check().bill, theirs.check().bill)
 
     def test_frequencies(self):
         found = blocks().modes(2)
         self.assertEqual(len(found), 2)
-        self.assertTrue(0.0 < found[0] <= found[1])
+        self.assertTrue(0.0 < found[0].frequency <= found[1].frequency)
+        self.assertEqual(found.frequencies, (found[0].frequency, found[1].frequency))
+        self.assertEqual((len(found[0].mass_share), found.impulse, found.held_by_nothing), (3, None, ()))
 
     def test_the_page_of_the_model(self):
         page = blocks().view(self.folder / "two.html")
@@ -84,12 +112,14 @@ class Models(InAFolder):
         model["base.z"] = 0.0
         model.box("a", [0, 0, 0], [0.2, 0.5, 1.0], material="stone")
         try:
-            text = model.limit("--format", "json")
+            found = model.limit()
         except voussoir.VoussoirError as error:
             self.assertIn("Clp", str(error))  # a build without it
             return
-        found = json.loads(text)["associated"]["multiplier"]
-        self.assertAlmostEqual(found, 0.2 * (1 - 1 / 4), places=9)  # width over height, with contact points at the centres of four segments
+        self.assertTrue(found.proven)
+        self.assertLessEqual(found.multiplier, found.associated + 1e-9)
+        self.assertEqual(found.data["associated"]["multiplier"], found.associated)
+        self.assertAlmostEqual(found.associated, 0.2 * (1 - 1 / 4), places=9)  # width over height, with contact points at the centres of four segments
 
     def test_keys_by_their_path(self):
         model = voussoir.Model()
@@ -142,5 +172,5 @@ class Program(unittest.TestCase):
     def test_what_the_command_line_has(self):
         self.assertTrue(voussoir.version().startswith("voussoir "))
         self.assertIn("flat20n", voussoir.ready_cases())
-        self.assertIn("L", voussoir.motion("bam-like"))
+        self.assertEqual([one.component for one in voussoir.motion("bam-like")], ["L", "T", "V"])
         self.assertIn("materials", voussoir.call("keys"))

@@ -19,26 +19,38 @@ scripts/python/README.md tells the rest.
 import importlib
 from typing import TYPE_CHECKING, Any
 
-from .errors import FileError, InputError, NumericalFailure, ProcessorError, ProgramNotFound, ProgramWarning, Stopped, VoussoirError
+from .errors import (Fault, FileError, InputError, NumericalFailure, ProcessorError, ProgramNotFound, ProgramWarning, Stopped,
+                     VoussoirError)
 from .program import program
 
 if TYPE_CHECKING:
-    from . import compas
-    from .commands import Progress, call, motion, ready_cases, version
+    from . import compas, parts
+    from .answers import (Assessed, BillLine, Checked, Compared, Crack, Limit, Mode, Modes, MotionFigures, Part, Peak, Storey,
+                          StudyTable)
+    from .commands import call, ready_cases, version
+    from .functions import assess, check, compare, limit, modes, motion, resume, run, study, summary, view
+    from .messages import Progress
     from .model import Model, opening
     from .results import Array, Frame, Frames, History, Results, Table
-    from .run import Run
-    from .study import Study
+    from .runs import Run
+    from .studies import Study
+
+API = "1.0"  # what API.md promises
 
 # The rest is imported when it is asked for: results need NumPy and h5py, which take longer to import than most calls of the program.
-_MODULES = {"Progress": "commands", "call": "commands", "motion": "commands", "ready_cases": "commands", "version": "commands",
-            "Model": "model", "opening": "model", "Run": "run", "Study": "study",
+_MODULES = {"Progress": "messages", "Model": "model", "opening": "model", "Run": "runs", "Study": "studies",
+            **dict.fromkeys(("call", "ready_cases", "version"), "commands"),
+            **dict.fromkeys(("assess", "check", "compare", "limit", "modes", "motion", "resume", "run", "study", "summary", "view"), "functions"),
+            **dict.fromkeys(("Assessed", "BillLine", "Checked", "Compared", "Crack", "Limit", "Mode", "Modes", "MotionFigures", "Part", "Peak", "Storey",
+                             "StudyTable"), "answers"),
             **dict.fromkeys(("Array", "Frame", "Frames", "History", "Results", "Table"), "results")}
-_SUBMODULES = ("compas", "plots")
+_SUBMODULES = ("compas", "parts", "plots")
 
-__all__ = ["Array", "FileError", "Frame", "Frames", "History", "InputError", "Model", "NumericalFailure", "ProcessorError", "Progress",
-           "ProgramNotFound", "ProgramWarning", "Results", "Run", "Stopped", "Study", "Table", "VoussoirError", "call", "compas", "motion", "opening", "program",
-           "ready_cases", "version"]
+__all__ = ["API", "Array", "Assessed", "BillLine", "Checked", "Compared", "Crack", "Fault", "FileError", "Frame", "Frames", "History", "InputError",
+           "Limit", "Mode", "Model", "Modes", "MotionFigures", "NumericalFailure", "Part", "Peak", "ProcessorError", "Progress", "ProgramNotFound",
+           "ProgramWarning", "Results", "Run", "Stopped", "Storey", "Study", "StudyTable", "Table", "VoussoirError", "assess", "call", "check",
+           "compare", "compas", "limit", "modes", "motion", "opening", "parts", "program", "ready_cases", "resume", "run", "study", "summary",
+           "version", "view"]
 
 
 def __getattr__(name: str) -> Any:

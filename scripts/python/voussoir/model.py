@@ -9,14 +9,17 @@ import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from . import commands, toml
+from . import commands, functions, toml
+from .answers import Checked, Limit, Modes
 from .commands import Progress, absolute_if_file
-from .errors import FileError
+from .errors import FileError, error_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from .run import Run
+    from .part import Part
+    from .parts import Case
+    from .runs import Run
 
 Path = str | os.PathLike[str]
 T = TypeVar("T")
@@ -41,6 +44,18 @@ class Model:
         self.case: dict[str, Any] = {"title": title} if title else {}
         if names:
             self.case["include"] = _from_anywhere("include", names)
+
+    @staticmethod
+    def of(case: "Model | Case") -> "Model":
+        """A model as it is; of a parts.Case a model."""
+        return case if isinstance(case, Model) else Model().add(case)
+
+    def add(self, *parts: "Part") -> "Model":
+        """Adds objects of the module `parts`: walls, ties, stones, ... behind those that are there; keys of a table that stands once, as House,
+        replace those of before. Returns the model."""
+        for part in parts:
+            part.put_into(self.case, _from_anywhere)
+        return self
 
     # Any key
 
@@ -156,34 +171,33 @@ class Model:
             raise FileError(f"{path}: {error.strerror}") from error
         return path
 
-    def check(self, *, draw: Path | None = None, overwrite: bool = False) -> str:
-        """Builds the model without a run: counts, masses, step, faults, as `voussoir check` prints them. draw: an .svg file for plans and
-        elevations."""
-        more: list[Any] = [*(["--draw", pathlib.Path(draw).resolve()] if draw else []), *(["--overwrite"] if overwrite else [])]
-        return self._with_file(lambda path: commands.call("check", path, *more))
+    def check(self, *, draw: Path | None = None, overwrite: bool = False) -> Checked:
+        """Builds the model without a run: counts, masses, step; see functions.check. `describe` has it in words."""
+        return functions.check(self, draw=draw, overwrite=overwrite)
+
+    def describe(self) -> str:
+        """The model in words, as `voussoir check` prints it: also joint laws, bill of blocks, how long a run takes."""
+        return self._with_file(lambda path: commands.call("check", path))
 
     def view(self, path: Path, *, view: str = "corner", overwrite: bool = False) -> pathlib.Path:
-        """One HTML page of the model, before any run; for a .png path a picture (needs Chromium). A refused model is shown with its faults in red,
-        and raises."""
-        path = pathlib.Path(path).resolve()
-        words: list[Any] = ["--still", path, "--view", view] if path.suffix == ".png" else ["-o", path]
-        self._with_file(lambda case: commands.call("view", case, *words, *(["--overwrite"] if overwrite else [])))
-        return path
+        """One HTML page of the model, before any run; for a .png path a picture; see functions.view."""
+        return functions.view(self, path, view=view, overwrite=overwrite)
 
-    def limit(self, *options: commands.Word) -> str:
-        """Collapse multiplier and mechanism of dry blocks by limit analysis, as `voussoir limit` prints them (needs Clp)."""
-        return self._with_file(lambda path: commands.call("limit", path, *options))
+    def limit(self, *options: commands.Word, direction: str | None = None, associated: bool = False) -> Limit:
+        """Collapse multiplier and mechanism of dry blocks by limit analysis; see functions.limit."""
+        return functions.limit(self, direction=direction, associated=associated, options=options)
 
-    def modes(self, count: int = 6, *, shapes: Path | None = None, overwrite: bool = False) -> list[float]:
-        """The first natural frequencies, Hz. shapes: a .vtu file for the mode shapes."""
-        more: list[Any] = [*(["--shapes", pathlib.Path(shapes).resolve()] if shapes else []), *(["--overwrite"] if overwrite else [])]
-        text = self._with_file(lambda path: commands.call("modes", path, "--count", count, "--no-impulse", "--quiet", *more))
-        return [float(found) for found in re.findall(r"^ *\d+ +([0-9.eE+-]+)", text, re.MULTILINE)]
+    def modes(self, count: int = 6, *, impulse: bool = False, closed: bool = False, shapes: Path | None = None, overwrite: bool = False) -> Modes:
+        """The first natural modes; see functions.modes."""
+        return functions.modes(self, count, impulse=impulse, closed=closed, shapes=shapes, overwrite=overwrite)
 
     def verify(self, *, threads: int | None = None) -> bool:
         """Whether the bits of the first second are independent of threads and stops (takes about a minute)."""
         more: list[Any] = ["-j", threads] if threads else []
-        return self._with_file(lambda path: commands.holds("run", path, "--verify", *more))
+        code, said = self._with_file(lambda path: commands.told("run", path, "--verify", *more, codes=(0, 1)))[1:]
+        if said.faults:  # the run itself failed
+            raise error_of(code, said.faults)
+        return code == 0
 
     def run(self, folder: Path | None = None, *, until: float | None = None, threads: int | None = None, overwrite: bool = False,
             progress: bool | Callable[[Progress], None] = True, options: Sequence[commands.Word] = ()) -> "Run":
@@ -191,7 +205,7 @@ class Model:
 
         folder: default results/TITLE. until: s of shaking. progress: see commands.watch. options: further ones of `voussoir run --help`.
         """
-        from .run import Run  # first: what results need is missed now, not when the run has ended
+        from .runs import Run  # first: what results need is missed now, not when the run has ended
         folder = pathlib.Path(folder or pathlib.Path("results") / self._file_name())
         words: list[Any] = ["-o", folder, *(["--duration", until] if until is not None else []), *(["-j", threads] if threads else []),
                             *(["--overwrite"] if overwrite else []), *options]

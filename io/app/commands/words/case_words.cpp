@@ -16,6 +16,7 @@
 #include "io/input/document/case_values.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/output_path.h"
+#include "io/input/messages/messages.h"
 #include "io/input/motion/motion_files.h"
 #include "io/input/stones/stones.h"
 
@@ -78,7 +79,7 @@ void add_short_keys(CLI::App& command, CaseWords& w) {
 int with_case(const CaseWords& w, const std::function<int(const LoadedCase&)>& use, Fill fill) {
   now_doing("reading the case");
   LoadedCase c = load_case(w.name, overrides(w));
-  for (const std::string& note : c.notes) std::fprintf(stderr, "voussoir: note: %s\n", note.c_str());
+  for (const std::string& note : c.notes) say_note(note);
   warn_of(c.findings);
   note_files_of(c.value);
   try {
@@ -89,10 +90,10 @@ int with_case(const CaseWords& w, const std::function<int(const LoadedCase&)>& u
     if (fill == Fill::all) fill_own_frequency(c.value, w.threads);
     return use(c);
   } catch (const cases::InputError& e) {
-    tell(c.describe(e));
+    say_errors(kInputFault, c.messages(e));
     return kInputFault;
   } catch (const NamedFileError& e) {
-    std::fprintf(stderr, "voussoir: %s\n", c.describe({e.key(), std::string("cannot be used: ") + e.what()}).c_str());
+    say_error(kFileFault, c.messages({e.key(), std::string("cannot be used: ") + e.what()}).front());
     return kFileFault;
   }
 }

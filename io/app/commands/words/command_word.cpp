@@ -28,18 +28,18 @@ void check_command_word(const CLI::App& app, const std::string& word) {
                           "\"" + word + "\" is no command" + (near.empty() ? "" : "; is \"" + near + "\" meant?") + "; allowed: " + all);
 }
 
-void suggest_value(const std::string& message) {
+std::string suggested_value(const std::string& message) {
   static const std::regex refused(R"(^(.+): (\S+) not in \{(.+)\})");
   std::smatch parts;
-  if (!std::regex_search(message, parts, refused)) return;
+  if (!std::regex_search(message, parts, refused)) return "";
   std::vector<std::string> names;
   std::istringstream list(parts[3].str());
   for (std::string name; std::getline(list, name, ',');) names.push_back(name);
-  if (const std::string near = cases::nearest(parts[2].str(), names); !near.empty())
-    std::fprintf(stderr, "%s %s: did you mean %s?\n", parts[1].str().c_str(), parts[2].str().c_str(), near.c_str());
+  const std::string near = cases::nearest(parts[2].str(), names);
+  return near.empty() ? "" : parts[1].str() + " " + parts[2].str() + ": did you mean " + near + "?\n";
 }
 
-void suggest_option(const CLI::App& program, const std::vector<std::string>& words) {
+std::string suggested_option(const CLI::App& program, const std::vector<std::string>& words) {
   const auto all = program.get_subcommands();
   const CLI::App& app = all.empty() ? program : *all.front();
   std::vector<std::string> names;
@@ -49,10 +49,10 @@ void suggest_option(const CLI::App& program, const std::vector<std::string>& wor
   for (const std::string& word : words) {
     const std::string name = word.substr(0, word.find('='));
     if (!name.starts_with("--") || std::ranges::find(names, name) != names.end()) continue;
-    if (const std::string near = cases::nearest(name, names); !near.empty())
-      std::fprintf(stderr, "%s: did you mean %s?\n", name.c_str(), near.c_str());
-    return;
+    const std::string near = cases::nearest(name, names);
+    return near.empty() ? "" : name + ": did you mean " + near + "?\n";
   }
+  return "";
 }
 
 }  // namespace voussoir::io

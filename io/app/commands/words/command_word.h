@@ -14,10 +14,11 @@ namespace voussoir::io {
 /// Refuses a first word that is neither a command nor an option, and suggests the most similar command. \throw cases::InputError
 void check_command_word(const CLI::App& app, const std::string& word);
 
-/// For a value that is none of those which its option takes, as in the message "--format: jsn not in {text,json}", prints the most similar.
-void suggest_value(const std::string& message);
+/// For a value that is none of those which its option takes, as in the message "--format: jsn not in {text,json}": a line with the most
+/// similar one. Empty: none is similar.
+std::string suggested_value(const std::string& message);
 
-/// For the first option among the words that the command does not know, prints the most similar one that it has.
-void suggest_option(const CLI::App& program, const std::vector<std::string>& words);
+/// For the first option among the words that the command does not know: a line with the most similar one that it has. Empty: none.
+std::string suggested_option(const CLI::App& program, const std::vector<std::string>& words);
 
 }  // namespace voussoir::io

@@ -10,7 +10,9 @@
 
 #include "cases/model.h"
 #include "cases/ties.h"
+#include "geometry/message.h"
 #include "io/app/session/progress.h"
+#include "io/input/messages/messages.h"
 
 namespace voussoir::io {
 
@@ -61,12 +63,12 @@ void print_bounded_ties(const solver::Ties& ties, const cases::Model& model) {
     if (t.law.stiffness == t.wanted) continue;
     least = std::min(least, t.law.stiffness / t.wanted);
     if (++bounded > kMostLines) continue;
-    std::fprintf(stderr, "voussoir: warning: tie \"%s\" has a stiffness of %.3g N/m; E A / length is %.3g N/m, more than the step bears\n",
-                 model.ties[i].name.c_str(), t.law.stiffness, t.wanted);
+    say_warning(geometry::printed("tie \"%s\" has a stiffness of %.3g N/m; E A / length is %.3g N/m, more than the step bears",
+                                  model.ties[i].name.c_str(), t.law.stiffness, t.wanted));
   }
   if (bounded > kMostLines)
-    std::fprintf(stderr, "voussoir: warning: so have %zu more ties, of %zu; the least has %.3g of E A / length\n", bounded - kMostLines,
-                 ties.tie.size(), least);
+    say_warning(geometry::printed("so have %zu more ties, of %zu; the least has %.3g of E A / length", bounded - kMostLines,
+                                  ties.tie.size(), least));
 }
 
 void print_tie_outcome(const solver::Ties& ties, const cases::Model& model) {

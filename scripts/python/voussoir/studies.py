@@ -15,7 +15,7 @@ from typing import Any
 from .errors import FileError, InputError, NumericalFailure, Stopped
 from .model import Model
 from .results import Results
-from .run import Run
+from .runs import Run
 
 
 class Study:

@@ -7,7 +7,7 @@ import pathlib
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from . import commands
+from . import commands, functions
 from .commands import Progress
 from .results import Results
 
@@ -46,9 +46,7 @@ class Run(Results):
 
     def same_as(self, other: "Run") -> bool:
         """Whether the results of two runs are equal, bit for bit (except provenance)."""
-        self.close()
-        other.close()
-        return commands.holds("compare", self.folder, other.folder)
+        return functions.compare(self, other).identical
 
     def describe(self) -> str:
         """Results in words, as `voussoir summary` prints them."""
