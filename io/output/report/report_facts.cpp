@@ -42,11 +42,17 @@ using Json = nlohmann::ordered_json;
 
 const std::vector<std::string> kAxes{"x", "y", "z"};
 
+constexpr double kMostSamples = 5e6;  // of a curve, before it is thinned: as many as /motion can have rows
+
+/// The step [s] between samples over a span of time [s].
+double few_enough(double step, double span) { return std::max(step, span / kMostSamples); }
+
 /// Plot of the ground acceleration at its own samples, so that its peaks are included.
 Plot ground_plot(const cases::GroundMotion& motion, double from, double until) {
   double step = std::max(until - from, 1e-3);
   for (const cases::Accelerogram& a : motion.axis)
     if (a.dt > 0.0) step = std::min(step, a.dt);
+  step = few_enough(step, until - from);
   const auto intervals = static_cast<std::size_t>((until - from) / step + 1e-6);
   std::vector<double> time, value;
   for (std::size_t i = 0; i <= intervals; ++i) {
@@ -62,6 +68,7 @@ Json ground_track(const cases::GroundMotion& motion, const std::vector<double>& 
   double step = 0.01;
   for (const cases::Accelerogram& a : motion.axis)
     if (a.dt > 0.0) step = std::min(step, a.dt);
+  if (!times.empty()) step = few_enough(step, times.back());
   Json track = Json::array();
   Vec3 at, speed, last = cases::acceleration_at(motion, 0.0);
   double t = 0.0;

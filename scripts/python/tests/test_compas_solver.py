@@ -9,7 +9,7 @@ import numpy as np
 import voussoir
 from fixture import InAFolder
 from test_compas import PUSH, WEIGHT, mesh, problem
-from voussoir.compas_solver import corner_forces
+from voussoir.compas_solver import corner_forces, pair_forces
 
 SQUARE = np.array([[0.0, 0.0, 0.2], [0.4, 0.0, 0.2], [0.4, 0.3, 0.2], [0.0, 0.3, 0.2]])
 
@@ -50,6 +50,19 @@ class CornerForces(InAFolder):
         corners = SQUARE @ turn.T + shift
         other = corner_forces(corners, axes(4) @ turn.T, turn @ force, np.cross(turn @ point + shift, turn @ force))
         np.testing.assert_allclose(one, other, atol=1e-8)
+
+
+class PairForces(InAFolder):
+    def test_pieces_of_two_stones_add_up_whichever_comes_first(self):
+        one = {"blocks": ["a", "b"], "force": [1.0, 0.0, 5.0], "moment": [0.0, 2.0, 0.0], "point": [1.0, 0.0, 0.0], "area": 1.0}
+        other = {"blocks": ["b", "a"], "force": [-2.0, 0.0, -7.0], "moment": [0.0, 0.0, 3.0], "point": [3.0, 0.0, 0.0], "area": 3.0}
+        base = {**one, "blocks": ["a", None]}
+        (pair, (force, moment, point)), = pair_forces([one, other, base]).items()
+        self.assertEqual(pair, ("a", "b"))
+        np.testing.assert_allclose(force, [-3.0, 0.0, -12.0])  # of a on b
+        about = -np.array([0.0, 2.0, 0.0]) + np.cross([1, 0, 0], [-1.0, 0, -5.0]) + np.array([0.0, 0.0, 3.0]) + np.cross([3, 0, 0], [-2.0, 0, -7.0])
+        np.testing.assert_allclose(moment, about)
+        np.testing.assert_allclose(point, [2.5, 0.0, 0.0])
 
 
 class AtRest(InAFolder):

@@ -80,6 +80,7 @@ STRUCTURE = [
 VALUES = [
     (put("frames/time", 2, np.nan), "/frames/time: row 2 holds -?nan", "frames"),
     (put("frames/time", 2, -1.0), "/frames/time: row 2 holds -1[.0]*; allowed: a time after", "frames"),
+    (put("frames/time", 2, 1e100), "/frames/time: row 2 holds 1.*e\\+100; allowed: -1e8 to 1e8 s", "frames"),
     (put("frames/quaternion", (1, 0), [0, 0, 0, 0]), "/frames/quaternion: row 1 holds 0", "frames"),
     (put("frames/quaternion", (1, 0), [2, 0, 0, 0]), "/frames/quaternion: row 1 holds 2", "frames"),
     (put("frames/displacement", (1, 0), [np.inf, 0, 0]), "/frames/displacement: row 1 holds inf", "frames"),

@@ -133,18 +133,35 @@ def _write_into(problem: Any, read: Problem, found: Solution) -> None:
         node = read.node(name)
         if node is not None:
             graph.node_attribute(node, "transformation", geometry.Transformation(matrix=block["transformation"]["data"]["matrix"]))
-    for contact in found.contacts:
-        if None in contact["blocks"]:
-            continue
-        first, second = (read.node(name) for name in contact["blocks"])
-        sign, edge = (-1.0, (first, second)) if graph.has_edge((first, second)) else (1.0, (second, first))
+    for (first, second), (force, moment, point) in pair_forces(found.contacts).items():
+        edge, sign = ((read.node(first), read.node(second)), 1.0) if graph.has_edge((read.node(first), read.node(second))) else \
+            ((read.node(second), read.node(first)), -1.0)
         if not graph.has_edge(edge):
             graph.add_edge(*edge)
-        _write_edge(graph, edge, sign * np.array(contact["force"]), sign * np.array(contact["moment"]), np.array(contact["point"]))
+        _write_edge(graph, edge, sign * force, sign * moment, point)
+
+
+def pair_forces(contacts: list[dict[str, Any]]) -> dict[tuple[str, str], tuple[Array, Array, Array]]:
+    """By two stones that touch: force of the first on the second, its moment about the origin, and the middle of where they touch.
+
+    A stone that is not convex is in pieces, each of which may touch the other stone; the base is left out.
+    """
+    sums: dict[tuple[str, str], list[Any]] = {}
+    for contact in contacts:
+        first, second = contact["blocks"]
+        if first is None or second is None:
+            continue
+        pair, sign = ((second, first), 1.0) if (second, first) in sums else ((first, second), -1.0)
+        force, point = sign * np.array(contact["force"]), np.array(contact["point"])
+        moment = sign * np.array(contact["moment"]) + np.cross(point, force)
+        entry = sums.setdefault(pair, [np.zeros(3), np.zeros(3), np.zeros(3), 0.0])
+        for k, value in enumerate((force, moment, contact["area"] * point, contact["area"])):
+            entry[k] = entry[k] + value
+    return {pair: (force, moment, place / area) for pair, (force, moment, place, area) in sums.items()}
 
 
 def _write_edge(graph: Any, edge: tuple[Any, Any], force: Array, moment: Array, point: Array) -> None:
-    """force, moment: of the first block on the second."""
+    """force, moment about the origin: of the first block on the second."""
     graph.edge_attribute(edge, "force", force.tolist())
     graph.edge_attribute(edge, "force_magnitude", float(np.linalg.norm(force)))
     faces = graph.edge_attribute(edge, "contacts") or []
@@ -153,7 +170,7 @@ def _write_edge(graph: Any, edge: tuple[Any, Any], force: Array, moment: Array, 
         return
     corners = np.array([list(p) for face in faces for p in face.points])
     axes = np.array([[list(face.frame.zaxis), list(face.frame.xaxis), list(face.frame.yaxis)] for face in faces for _ in face.points])
-    shares = corner_forces(corners, axes, force, moment + np.cross(point, force))
+    shares = corner_forces(corners, axes, force, moment)
     kind = getattr(importlib.import_module("compas_dem.interactions"), "FrictionContact")
     at, solved = 0, []
     for face in faces:

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from .errors import FileError
 
+_LATEST = 1e8  # s, as the program has it
 _UNIT = 1e-4  # of the square of a quaternion's length; the program keeps 1e-6
 
 
@@ -176,6 +177,8 @@ def check_values(file: h5py.File, name: str, first: int, values: NDArray[Any]) -
             refuse(~(values <= last), f"{rule.least} to {last}")
     else:
         refuse(~np.isfinite(values), "a finite number")
+        if rule.values in ("time", "late_time"):
+            refuse(abs(values) > _LATEST, "-1e8 to 1e8 s")
     checks: dict[str, Callable[[], None]] = {
         "start": lambda: refuse(_after(values) & (values < _before(values)), "no less than in the row before"),
         "positive": lambda: refuse(values <= 0, "above 0"),

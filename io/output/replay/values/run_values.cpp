@@ -14,7 +14,8 @@
 namespace voussoir::io {
 namespace {
 
-constexpr double kUnit = 1e-4;  // of the square of a quaternion's length; the program keeps 1e-6
+constexpr double kLatest = 1e8;  // s; a record of the most samples with the longest step between them ends at half of it
+constexpr double kUnit = 1e-4;   // of the square of a quaternion's length; the program keeps 1e-6
 
 /// A number, or the number of rows of a dataset; none if the file, of an earlier version, has no such dataset.
 std::optional<std::uint64_t> count_of(const Hdf5File& run, std::string_view what) {
@@ -84,6 +85,7 @@ class Rows {
     for (std::uint64_t i = 0; i < n; ++i) {
       const auto number = static_cast<double>(values[i]);
       if (!std::isfinite(number)) fault(i, "a finite number");
+      if ((rule_.values == time || rule_.values == late_time) && std::abs(number) > kLatest) fault(i, "-1e8 to 1e8 s");
       if (rule_.values == positive && number <= 0.0) fault(i, "above 0");
       if (rule_.values == time && i > 0 && values[i] <= values[i - 1]) fault(i, "a time after that of the row before");
       if (rule_.values == late_time && i > 0 && values[i] < values[i - 1]) fault(i, "no time before that of the row before");
