@@ -35,6 +35,11 @@ class Functions(InAFolder):
         with self.assertWarnsRegex(voussoir.ProgramWarning, "^damping.frequency"):
             found = voussoir.check(model)
         self.assertEqual(len(found.findings), 1)
+        for use in (model.check, lambda: model.run(self.folder / "run", threads=1, progress=False), lambda: voussoir.check(model)):
+            with warnings.catch_warnings(record=True) as told:
+                warnings.simplefilter("always")
+                use()
+            self.assertEqual({os.path.basename(one.filename) for one in told}, {"test_functions.py"})  # the caller's line
 
     def test_first_steps_that_go_wrong_are_an_error(self):
         model = blocks()
