@@ -178,9 +178,10 @@ void print_table(const std::vector<Component>& components, std::ostream& out) {
   }
 }
 
+using Json = nlohmann::ordered_json;
+
 /// One object a component, in SI units.
 void print_json(const std::vector<Component>& components, std::ostream& out) {
-  using Json = nlohmann::ordered_json;
   Json all = Json::array();
   for (const Component& c : components) {
     const MotionFigures f = figures(c.motion);

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "cases/names.h"
-#include "io/input/case_file/toml_shapes.h"
 #include "io/input/document/case_values.h"
+#include "io/input/document/toml_shapes.h"
 
 /// One option table per struct of the case: name, unit, allowed values, a sentence, and the location of the value. The table serves to
 /// read, to check, to write the resolved case and to print the key reference.

@@ -48,7 +48,7 @@ class Documents(fixture.InAFolder):
     def test_the_package(self):
         names = {"voussoir": voussoir, "vertices": CUBE[0], "faces": CUBE[1]}
         # Examples with files of the user have their own tests (test_compas.py, test_shapes.py).
-        self.assertEqual(self.run_all("scripts/python/README.md", names, leave_out=("add_stones", "compas")), 3)
+        self.assertEqual(self.run_all("scripts/python/README.md", names, leave_out=("add_stones", "compas")), 5)
 
     def test_the_tutorial(self):
         model = voussoir.Model(include=str(fixture.ROOT / "cases/tutorial/hut.toml"))

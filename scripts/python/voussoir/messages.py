@@ -3,11 +3,15 @@
 """What the program says on standard error: a JSON object a line (io/README.md, Messages)."""
 
 import json
+import os
+import sys
 import warnings
 from dataclasses import dataclass, field, fields
 from typing import Any
 
 from .errors import Fault, ProgramWarning
+
+_HERE = os.path.dirname(__file__) + os.sep
 
 
 @dataclass(frozen=True)
@@ -54,9 +58,12 @@ class Said:
         return None
 
     def warn(self) -> None:
-        """Passes the program's warnings and notes on to Python's `warnings`."""
+        """Passes the program's warnings and notes on to Python's `warnings`, as of the line that called this package."""
+        level, frame = 1, sys._getframe()
+        while frame.f_back is not None and frame.f_code.co_filename.startswith(_HERE):
+            level, frame = level + 1, frame.f_back
         for text in self.warnings:
-            warnings.warn(text, ProgramWarning, stacklevel=5)
+            warnings.warn(text, ProgramWarning, stacklevel=level)
 
 
 def said_in(text: str) -> Said:

@@ -1067,8 +1067,8 @@ class Motion(Part):
     from_: float | None = None
     to: float | None = None
     baseline: Literal["none", "mean", "linear", "parabolic"] | None = None
-    taper: float | Sequence[float] | None = None
-    scale: float | Sequence[float] | None = None
+    taper: Sequence[float] | float | None = None
+    scale: Sequence[float] | float | None = None
     intensity: MotionIntensity | None = None
 
 

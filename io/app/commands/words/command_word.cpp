@@ -43,12 +43,17 @@ std::string suggested_option(const CLI::App& program, const std::vector<std::str
   const auto all = program.get_subcommands();
   const CLI::App& app = all.empty() ? program : *all.front();
   std::vector<std::string> names;
+  std::vector<std::string> before;  // options before the command, which are known, but not meant
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   }
+  for (const CLI::Option* option : program.get_options()) {
+    for (const std::string& name : option->get_lnames()) before.push_back("--" + name);
+  }
   for (const std::string& word : words) {
     const std::string name = word.substr(0, word.find('='));
-    if (!name.starts_with("--") || std::ranges::find(names, name) != names.end()) continue;
+    if (!name.starts_with("--") || std::ranges::find(names, name) != names.end() || std::ranges::find(before, name) != before.end())
+      continue;
     const std::string near = cases::nearest(name, names);
     return near.empty() ? "" : name + ": did you mean " + near + "?\n";
   }

@@ -116,7 +116,7 @@ TEST_CASE("messages: faults of the command line, of files, of overrides") {
   REQUIRE(s.messages.size() == 1);
   CHECK(s.messages[0]["code"] == 3);
   CHECK(s.messages[0]["file"].get<std::string>().starts_with(folder.path("none")));
-  s = said("resume " + shell::quoted(folder.path("none")) + " --until nan");
+  s = said("assess " + shell::quoted(folder.path("none")) + " --time nan");
   CHECK(s.code == 2);
   CHECK(s.messages.size() == 1);
   CHECK(shell::voussoir("--messages xml cases").code == 2);
