@@ -26,6 +26,8 @@ from .results import Results, rotation_matrices  # first: says which package is 
 
 import numpy as np  # isort: skip
 
+__all__ = ["Solution", "follow_contacts", "model_of", "register", "solution", "solve", "write"]
+
 _RAMP = [0.0, 0.5]  # s, of loads that COMPAS calls "ramp"
 _HALF = 1e-3  # m, of the box about the middle of two stones, by which their contact is told from others
 

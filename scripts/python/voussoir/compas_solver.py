@@ -13,7 +13,7 @@ from typing import Any
 from .compas import follow_contacts, model_of, solution
 from .compas_problem import Problem
 from .errors import InputError, NumericalFailure
-from .run import Run
+from .runs import Run
 
 import numpy as np  # isort: skip
 from numpy.typing import NDArray  # isort: skip
