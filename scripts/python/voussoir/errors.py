@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What can go wrong. The message of each error is the program's own, without "voussoir: " before it."""
 
+import sys
 import warnings
 
 
@@ -50,6 +51,14 @@ class ProgramWarning(UserWarning):
     """A warning or a note of the program: a probable mistake, or something to know about the results."""
 
 
+def _outside() -> int:
+    """The level of the line that called this package, as warnings.warn counts from the function that calls this one."""
+    frame, level = sys._getframe(1), 1
+    while frame.f_back and frame.f_globals.get("__name__", "").partition(".")[0] in (__package__, "contextlib"):
+        frame, level = frame.f_back, level + 1
+    return level
+
+
 _SAID = ("voussoir: warning: ", "voussoir: note: ")
 
 
@@ -58,7 +67,7 @@ def warn_of(said: str) -> str:
     others = []
     for line in said.splitlines():
         if line.startswith(_SAID):
-            warnings.warn(line.removeprefix("voussoir: "), ProgramWarning, stacklevel=4)
+            warnings.warn(line.removeprefix("voussoir: "), ProgramWarning, stacklevel=_outside())
         else:
             others.append(line)
     return "\n".join(others)
