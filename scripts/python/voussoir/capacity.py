@@ -61,7 +61,7 @@ _MAIN = (("multiplier", "largest load factor", 1.0, 4, ""), ("multiplier_at_rest
          ("first_stiffness", "first stiffness", 1e-6, 2, "kN/mm"), ("ultimate_displacement", "ultimate displacement", 1e3, 2, "mm"),
          ("ultimate_drift", "ultimate drift", 1e2, 2, "%"), ("near_collapse", "near collapse", 1e3, 2, "mm"),
          ("ec8_ductility", "ductility, EC 8", 1.0, 1, ""), ("ntc_ductility", "ductility, NTC 2018", 1.0, 1, ""),
-         ("collapse_movement", "movement of the support at the fall", 1e3, 1, "mm"), ("loop_area", "work of the loops", 1.0, 1, "J"))
+         ("collapse_movement", "movement of the support at the fall", 1e3, 1, "mm"))
 
 
 def _is_number(value: Any) -> bool:
