@@ -213,7 +213,7 @@ def capacity(runs: Sequence[Results], *, bilinear: bool = False, width: float = 
     """
     figure, (axes,) = panels(1, width, 8.0)
     for number, run in enumerate(runs):
-        if "assessment" not in run._checked:
+        if "assessment" not in run._checked or not len(run.assessment["time"]):
             raise VoussoirError(f"{label_of(run)}: is no quasi-static analysis; it has no rows of assessment")
         rows, found, line = rows_of(run, "assessment"), run.capacity, style(number)
         if found.get("kind") == "cyclic":
