@@ -63,14 +63,12 @@ def watch(*words: Word, progress: bool | Callable[[Progress], None] = True) -> s
     except OSError as error:
         raise _not_found(command[0], error) from error
     shown, out = _Shown(child, progress), list[str]()
-    threads = [threading.Thread(target=shown.read, daemon=True), threading.Thread(target=lambda: out.append(child.stdout.read() if child.stdout else ""), daemon=True)]
-    for thread in threads:
-        thread.start()
+    ends = [_in_background(shown.read), _in_background(lambda: out.append(child.stdout.read() if child.stdout else ""))]
     interrupted = False
     while True:
         try:
-            for thread in threads:  # they end with the program; child.wait() would answer a Ctrl-C late
-                thread.join()
+            for end in ends:  # with the program; child.wait() would answer a Ctrl-C late
+                end.wait()
             code = child.wait()
             break
         except KeyboardInterrupt:
@@ -93,6 +91,19 @@ def watch(*words: Word, progress: bool | Callable[[Progress], None] = True) -> s
     if interrupted:  # it came to its end meanwhile
         raise KeyboardInterrupt
     return "".join(out)
+
+
+def _in_background(work: Callable[[], None]) -> threading.Event:
+    """Does it in another thread. Returns what is set at its end: Python 3.11 takes a thread for ended once a Ctrl-C has hit its join()."""
+    end = threading.Event()
+
+    def and_say_so() -> None:
+        try:
+            work()
+        finally:
+            end.set()
+    threading.Thread(target=and_say_so, daemon=True).start()
+    return end
 
 
 class _Shown:

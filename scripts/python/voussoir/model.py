@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A case, put together in Python. Its keys are those of cases/KEYS.md; the program alone says what they allow."""
 
+import copy
 import os
 import pathlib
 import re
@@ -9,7 +10,7 @@ import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from . import commands, functions, toml
+from . import bars, commands, functions, toml
 from .answers import Checked, Limit, Modes
 from .commands import Progress, absolute_if_file
 from .errors import FileError, error_of
@@ -17,6 +18,8 @@ from .errors import FileError, error_of
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+    from .jobs import Job
+    from .notebook import Shown
     from .part import Part
     from .parts import Case
     from .runs import Run
@@ -203,14 +206,35 @@ class Model:
             progress: bool | Callable[[Progress], None] = True, options: Sequence[commands.Word] = ()) -> "Run":
         """Settles the model under gravity, shakes it, writes results. Ctrl-C saves and stops: Stopped; `Run(folder).resume()` goes on.
 
-        folder: default results/TITLE. until: s of shaking. progress: see commands.watch. options: further ones of `voussoir run --help`.
+        folder: default results/TITLE. until: s of shaking. progress: see commands.watch; in a notebook True is a bar. options: further ones of
+        `voussoir run --help`.
         """
         from .runs import Run  # first: what results need is missed now, not when the run has ended
-        folder = pathlib.Path(folder or pathlib.Path("results") / self._file_name())
+        folder = self._folder(folder)
         words: list[Any] = ["-o", folder, *(["--duration", until] if until is not None else []), *(["-j", threads] if threads else []),
                             *(["--overwrite"] if overwrite else []), *options]
-        self._with_file(lambda path: commands.watch("run", path, *words, progress=progress))
+        with bars.shown(folder.name, progress) as told:
+            self._with_file(lambda path: commands.watch("run", path, *words, progress=told))
         return Run(folder)
+
+    def start(self, folder: Path | None = None, *, until: float | None = None, threads: int | None = None, overwrite: bool = False,
+              options: Sequence[commands.Word] = ()) -> "Job":
+        """As `run`, but returns as soon as the run has begun, and it goes on in the background. Faults of the case are raised here."""
+        from .jobs import Job
+        model, folder = copy.deepcopy(self), self._folder(folder)
+        return Job(folder, lambda look: model.run(folder, until=until, threads=threads, overwrite=overwrite, progress=look, options=options))
+
+    def show(self, *, height: int = 520) -> "Shown":
+        """In a notebook: what is in the model, and its page to turn, however large it is. height: of the page, pixels."""
+        from . import notebook
+        return notebook.Shown(notebook.html_of_model(self, most=None, height=height))
+
+    def _repr_html_(self) -> str:
+        from . import notebook
+        return notebook.html_of_model(self)
+
+    def _folder(self, folder: Path | None) -> pathlib.Path:
+        return pathlib.Path(folder or pathlib.Path("results") / self._file_name())
 
     def _file_name(self) -> str:
         return re.sub(r"[^A-Za-z0-9]+", "-", self.case.get("title", ""))[:80].strip("-").lower() or "model"

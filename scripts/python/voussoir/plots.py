@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Figures of runs, one call each. They need matplotlib. Each returns the figure, which `save` writes, or a notebook shows."""
 
+import math
 import os
 import pathlib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import matplotlib
@@ -13,7 +14,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullFormatter
+from numpy.typing import NDArray
 
+from .bars import in_notebook
 from .errors import FileError, VoussoirError
 from .results import Array, Results
 
@@ -46,6 +49,9 @@ def panels(rows: int, width: float = 16.0, height: float = 4.2, **options: Any) 
     """A figure of `rows` panels, one above the other, sizes in cm; its axes as a list."""
     with matplotlib.rc_context(LOOK):
         figure, axes = plt.subplots(rows, 1, figsize=(width / 2.54, (height * rows + 1.2) / 2.54), squeeze=False, **options)
+    if in_notebook():
+        figure.set_tight_layout(True)  # as `save` does
+        plt.close(figure)  # a notebook shows it as the value of its cell; open, it would be shown once more
     return figure, list(axes[:, 0])
 
 
@@ -182,3 +188,48 @@ def energy(run: Results, *, until: float | None = None, width: float = 16.0) -> 
     below.set_ylim(bottom=0.0)
     time_axis(below, until, [0.0, float(time[-1])])
     return figure
+
+
+def base_shear(run: Results) -> NDArray[Any]:
+    """Base shear along the push at each row of `run.assessment`, N: the mean over a first period (io/MEASURES.md, Capacity)."""
+    rows, push = rows_of(run, "assessment"), run.case["analysis"]["direction"]
+    time = np.asarray(rows["time"])
+    k = np.searchsorted(run.forces.time, time - 1e-9)
+    shear = -(np.asarray(run.forces.base_shear)[k, :2] @ push) / np.hypot(*push)
+    step = time[1] - time[0] if len(time) > 1 else 1.0
+    half = int(0.5 / run._at("assessment").attrs["frequency"] / step + 1e-9)
+    sums = np.concatenate([[0.0], np.cumsum(shear)])
+    widths = np.minimum(half, np.minimum(np.arange(len(shear)), np.arange(len(shear))[::-1]))
+    at = np.arange(len(shear))
+    mean: NDArray[Any] = (sums[at + widths + 1] - sums[at - widths]) / (2 * widths + 1)
+    return mean
+
+
+def capacity(runs: Sequence[Results], *, bilinear: bool = False, width: float = 16.0) -> Figure:
+    """Capacity curves of quasi-static analyses: base shear against the displacement of the control point; of cyclic tests the loops, load
+    factor against the displacement of the loads.
+
+    bilinear: also the elastic-perfectly plastic forms, of EC 8 dashed, of NTC 2018 dotted. width: cm.
+    """
+    figure, (axes,) = panels(1, width, 8.0)
+    for number, run in enumerate(runs):
+        if "assessment" not in run._checked or not len(run.assessment["time"]):
+            raise VoussoirError(f"{label_of(run)}: is no quasi-static analysis; it has no rows of assessment")
+        rows, found, line = rows_of(run, "assessment"), run.capacity, style(number)
+        if found.get("kind") == "cyclic":
+            axes.plot(1e3 * rows["moved"], rows["factor"], label=label_of(run), **line)
+            axes.set(xlabel="displacement of the forces, mm", ylabel="load factor")
+            continue
+        axes.plot(1e3 * rows["displacement"], 1e-3 * base_shear(run), label=label_of(run), **line)
+        axes.set(xlabel="displacement of the control point, mm", ylabel="base shear, kN")
+        for code, dashes in (("ec8", "--"), ("ntc", ":")) if bilinear and found else ():
+            _bilinear(axes, found, code, dashes, line["color"])
+    axes.legend(loc="best")
+    return figure
+
+
+def _bilinear(axes: Axes, found: Mapping[str, Any], code: str, dashes: str, colour: str) -> None:
+    force, first, end = found[f"{code}_force"], found[f"{code}_yield"], found["ultimate_displacement"]
+    end = found["peak_displacement"] if math.isnan(end) else end
+    if not math.isnan(first):
+        axes.plot([0.0, 1e3 * first, 1e3 * max(end, first)], [0.0, 1e-3 * force, 1e-3 * force], linestyle=dashes, color=colour)

@@ -10,7 +10,7 @@ import os
 import pathlib
 import warnings
 from collections.abc import Iterator, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 try:
     import h5py
@@ -19,11 +19,15 @@ except ModuleNotFoundError as missing:
     raise ImportError(f"results need {missing.name}: pip install \"voussoir[results]\", or Debian's python3-numpy and python3-h5py") from missing
 from numpy.typing import NDArray
 
+from .capacity import Capacity
 from .errors import FileError, ProgramWarning, VoussoirError
 from .reading import NoData, missing_parts, open_paged, open_results, parts_of, path_of, reading, rows_of, state_of
 
 __all__ = ["Array", "Frame", "Frames", "History", "Results", "Table", "array_of", "displacement_of", "open_results", "origin_of", "rotation_matrices",
            "rows_of"]
+
+if TYPE_CHECKING:
+    import pandas
 
 
 class Array(np.ndarray[Any, Any]):
@@ -129,6 +133,16 @@ class Table(Mapping[str, Array]):
         dataset = self._dataset(name)
         with reading(f"{path_of(dataset)}, {dataset.name}"):
             return str(dataset.attrs.get(attribute, ""))
+
+    def to_pandas(self) -> "pandas.DataFrame":
+        """As a data frame: see pandas_tables.frame_of. Raises ImportError without pandas."""
+        from . import pandas_tables
+        return pandas_tables.frame_of(self)
+
+    def _repr_html_(self) -> str:
+        from . import notebook
+        return notebook.html_of_rows([{"column": name, "shape": self._dataset(name).shape, "unit": self.unit(name), "what it is": self.description(name)}
+                                      for name in self])
 
     def __repr__(self) -> str:
         columns = (f"{name} {self._dataset(name).shape} {self.unit(name)}" for name in self)
@@ -353,9 +367,10 @@ class Results:
         return self._table("assessment")
 
     @property
-    def capacity(self) -> dict[str, Any]:
-        """Results of a quasi-static analysis (io/MEASURES.md, Capacity); empty until the run has ended or stopped."""
-        return _plain(self._at("capacity").attrs) if "capacity" in self._checked else {}
+    def capacity(self) -> Capacity:
+        """Results of a quasi-static analysis (io/MEASURES.md, Capacity), by name; empty until the run has ended or stopped."""
+        attributes = self._at("capacity").attrs if "capacity" in self._checked else {}
+        return Capacity(_plain(attributes), str(attributes.get("units", "")), self)
 
     @property
     def elements(self) -> Table:

@@ -7,12 +7,15 @@ import pathlib
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from . import commands, functions
+from . import bars, commands, functions
 from .commands import Progress
 from .results import Results
 
 if TYPE_CHECKING:
     import matplotlib.figure
+
+    from .jobs import Job
+    from .notebook import Shown
 
 
 class Run(Results):
@@ -24,8 +27,15 @@ class Run(Results):
         words: list[Any] = ["resume", self.folder]
         words += ["--until", until] if until is not None else []
         words += ["-j", threads] if threads else []
-        commands.watch(*words, progress=progress)
+        with bars.shown(self.folder.name, progress) as told:
+            commands.watch(*words, progress=told)
         return self
+
+    def start(self, *, until: float | None = None, threads: int | None = None) -> "Job":
+        """As `resume`, but returns as soon as the run goes on, and it does so in the background."""
+        from .jobs import Job
+        run = Run(self.folder)
+        return Job(self.folder, lambda look: run.resume(until=until, threads=threads, progress=look))
 
     def report(self, *, other: "Run | None" = None, output: str | os.PathLike[str] | None = None, overwrite: bool = False) -> pathlib.Path:
         """Writes one HTML page that shows the run, or this one and another side by side. Returns its path."""
@@ -52,6 +62,15 @@ class Run(Results):
         """Results in words, as `voussoir summary` prints them."""
         return commands.call("summary", self.folder)
 
+    def show(self, *, height: int = 520) -> "Shown":
+        """In a notebook: state, figures and replay, however large it is. height: of the page, pixels."""
+        from . import notebook
+        return notebook.Shown(notebook.html_of_run(self, most=None, height=height))
+
+    def _repr_html_(self) -> str:
+        from . import notebook
+        return notebook.html_of_run(self)
+
     def plot_histories(self, **options: Any) -> "matplotlib.figure.Figure":
         """Displacements of the followed elements. options: those of plots.histories."""
         from . import plots  # here, so that matplotlib is needed by those alone who plot
@@ -66,6 +85,11 @@ class Run(Results):
         """Open segments over time, by the mode that opened them."""
         from . import plots
         return plots.damage([self], **options)
+
+    def plot_capacity(self, **options: Any) -> "matplotlib.figure.Figure":
+        """The capacity curve of a quasi-static analysis. options: those of plots.capacity."""
+        from . import plots
+        return plots.capacity([self], **options)
 
     def __repr__(self) -> str:
         return f"Run({str(self.folder)!r})"

@@ -10,12 +10,16 @@ import pathlib
 import re
 import sys
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from . import bars
 from .errors import FileError, InputError, NumericalFailure, Stopped
 from .model import Model
 from .results import Results
 from .runs import Run
+
+if TYPE_CHECKING:
+    import pandas
 
 
 class Study:
@@ -61,25 +65,34 @@ class Study:
         self.folder.mkdir(parents=True, exist_ok=True)
         pool = concurrent.futures.ThreadPoolExecutor(workers)
         stop: list[bool] = []
+        bar = bars.Bar(self.folder.name) if bars.in_notebook() and not quiet else None
+        if bar:
+            bar.show()
 
         def work(name: str) -> None:
             if stop or self.status(name) in ("done", "numerical failure"):
                 return
-            if not quiet:
+            if not quiet and not bar:
                 print(f"{self.folder / name}", file=sys.stderr)
             self._one(name, models[name], threads, lambda _: _raise_if(stop))
 
         jobs = [pool.submit(work, name) for name in models]
         try:
-            for job in concurrent.futures.as_completed(jobs):
+            for number, job in enumerate(concurrent.futures.as_completed(jobs), 1):
                 job.result()
+                if bar:
+                    bar.say(number / len(jobs), f"{number} of {len(jobs)} runs")
         except BaseException as error:
             stop.append(True)  # each run at work sees it with its next line of progress, saves and stops
             pool.shutdown(wait=True, cancel_futures=True)
+            if bar:
+                bar.end(error)
             if isinstance(error, KeyboardInterrupt) and not isinstance(error, Stopped):
                 raise Stopped("the study was stopped; its runs are saved, and the same call goes on") from error
             raise
         pool.shutdown()
+        if bar:
+            bar.end(None)
         return self
 
     def _one(self, name: str, model: Model, threads: int, look: Callable[[Any], None]) -> None:
@@ -127,6 +140,17 @@ class Study:
                 results.close()
             rows.append(row)
         return rows
+
+    def _repr_html_(self) -> str:
+        from . import notebook
+        shown = ("damage_grade", "collapsed", "fallen_mass_fraction", "peak_drift", "peak_base_shear", "multiplier_at_rest")
+        return notebook.html_of_rows([{**self.runs[row["run"]], "status": row["status"], **{name: row[name] for name in shown if name in row}}
+                                      for row in self.table()])
+
+    def to_pandas(self) -> "pandas.DataFrame":
+        """The table as a data frame. Raises ImportError without pandas."""
+        from . import pandas_tables
+        return pandas_tables.frame_of_rows(self.table())
 
     def write(self, path: str | os.PathLike[str]) -> pathlib.Path:
         """Writes the table as CSV, replacing an existing file."""
