@@ -230,17 +230,25 @@ class WallOpeningArch(Part):
 
 @dataclass(kw_only=True, slots=True)
 class BasePartMotion(Part):
-    """[base.part.motion]: motion of a fixed block, or of a part of the base: velocity or file.
+    """[base.part.motion]: motion of a fixed block, of fixed stones, or of a part of the base: velocity, file, or its end.
 
     velocity, m/s, 3 values: constant velocity; usually 1e-9 to 100, at most 1e5 in magnitude
-    file: CSV of t, x, y, z in s and m, from where the block stands; a first row away from zero is a jump. In a settlement t says in which order and
-      proportion supports move, not how fast; not empty
+    file: CSV of t, x, y, z in s and m, from where the block stands; a first row away from zero is a jump. Three more columns rx, ry, rz turn it: a
+      rotation vector, axis times angle, in rad, zero in the first row. In a settlement t says in which order and proportion supports move, not how
+      fast; not empty
+    to, m, 3 values: settlement and rest: how far it has gone at the end, straight, in place of file; usually 1e-7 to 1, at most 1000 in magnitude
+    turn, degrees, 3 values: settlement and rest: how far it has turned at the end, a rotation vector (axis times angle), beside or in place of to; at
+      most 1e6 in magnitude
+    about, m, 3 values: the point that to, or x, y, z of the file, are of, and about which it turns; none: its centroid; at most 1e9 in magnitude
     """
 
     _table: ClassVar[str] = "base.part.motion"
 
     velocity: Sequence[float] | None = None
     file: str | None = None
+    to: Sequence[float] | None = None
+    turn: Sequence[float] | None = None
+    about: Sequence[float] | None = None
 
 
 @dataclass(kw_only=True, slots=True)
@@ -690,17 +698,25 @@ class BlockRotate(Part):
 
 @dataclass(kw_only=True, slots=True)
 class BlockMotion(Part):
-    """[block.motion]: motion of a fixed block, or of a part of the base: velocity or file.
+    """[block.motion]: motion of a fixed block, of fixed stones, or of a part of the base: velocity, file, or its end.
 
     velocity, m/s, 3 values: constant velocity; usually 1e-9 to 100, at most 1e5 in magnitude
-    file: CSV of t, x, y, z in s and m, from where the block stands; a first row away from zero is a jump. In a settlement t says in which order and
-      proportion supports move, not how fast; not empty
+    file: CSV of t, x, y, z in s and m, from where the block stands; a first row away from zero is a jump. Three more columns rx, ry, rz turn it: a
+      rotation vector, axis times angle, in rad, zero in the first row. In a settlement t says in which order and proportion supports move, not how
+      fast; not empty
+    to, m, 3 values: settlement and rest: how far it has gone at the end, straight, in place of file; usually 1e-7 to 1, at most 1000 in magnitude
+    turn, degrees, 3 values: settlement and rest: how far it has turned at the end, a rotation vector (axis times angle), beside or in place of to; at
+      most 1e6 in magnitude
+    about, m, 3 values: the point that to, or x, y, z of the file, are of, and about which it turns; none: its centroid; at most 1e9 in magnitude
     """
 
     _table: ClassVar[str] = "block.motion"
 
     velocity: Sequence[float] | None = None
     file: str | None = None
+    to: Sequence[float] | None = None
+    turn: Sequence[float] | None = None
+    about: Sequence[float] | None = None
 
 
 @dataclass(kw_only=True, slots=True)
@@ -720,6 +736,29 @@ class StonesTurn(Part):
 
 
 @dataclass(kw_only=True, slots=True)
+class StonesMotion(Part):
+    """[stones.motion]: motion of a fixed block, of fixed stones, or of a part of the base: velocity, file, or its end.
+
+    velocity, m/s, 3 values: constant velocity; usually 1e-9 to 100, at most 1e5 in magnitude
+    file: CSV of t, x, y, z in s and m, from where the block stands; a first row away from zero is a jump. Three more columns rx, ry, rz turn it: a
+      rotation vector, axis times angle, in rad, zero in the first row. In a settlement t says in which order and proportion supports move, not how
+      fast; not empty
+    to, m, 3 values: settlement and rest: how far it has gone at the end, straight, in place of file; usually 1e-7 to 1, at most 1000 in magnitude
+    turn, degrees, 3 values: settlement and rest: how far it has turned at the end, a rotation vector (axis times angle), beside or in place of to; at
+      most 1e6 in magnitude
+    about, m, 3 values: the point that to, or x, y, z of the file, are of, and about which it turns; none: its centroid; at most 1e9 in magnitude
+    """
+
+    _table: ClassVar[str] = "stones.motion"
+
+    velocity: Sequence[float] | None = None
+    file: str | None = None
+    to: Sequence[float] | None = None
+    turn: Sequence[float] | None = None
+    about: Sequence[float] | None = None
+
+
+@dataclass(kw_only=True, slots=True)
 class BasePart(Part):
     """[[base.part]]: a part of the ground above the base, as a slope has in steps, or one that moves: a rectangle in plan, or what lies under a wall
     of the house; walls begin upon it.
@@ -730,7 +769,7 @@ class BasePart(Part):
     from_, m: with wall: start along it, from the outer corner of the house; none: its start; >= 0, usually 0.1 to 100, at most 1e5
     to, m: with wall: its end; none: the wall's; > 0, usually 0.1 to 100, possible 1e-4 to 1e5
     level, m: height of its top above base.z; at most so much can it sink; > 0, usually 0.001 to 60, possible 1e-6 to 60000; needed
-    motion: motion of a fixed block, or of a part of the base: velocity or file
+    motion: motion of a fixed block, of fixed stones, or of a part of the base: velocity, file, or its end
     """
 
     _table: ClassVar[str] = "base.part"
@@ -966,8 +1005,10 @@ class Contact(Part):
 class Analysis(Part):
     """[analysis]: what the run finds out: what an earthquake does, or a capacity by slow loading.
 
-    kind: time-history: [motion] shakes; pushover: lateral forces grow; tilt: gravity turns; settlement: supports move by their [block.motion] or that
-      of a [[base.part]]; cyclic: the loads that grow push to and fro. All but the first go slowly and leave [motion] out; default "time-history"
+    kind: time-history: [motion] shakes; pushover: lateral forces grow; tilt: gravity turns; settlement: supports move by their [block.motion],
+      [stones.motion], or that of a [[base.part]]; cyclic: the loads that grow push to and fro; rest: whether all of it stands: weights, then the
+      loads that grow and the ways of supports, in proportion and up to their end. All but the first go slowly and leave [motion] out; default
+      "time-history"
     solver: of all kinds but time-history. equilibrium: each row is a state of rest, found by relaxation, and the run's time counts iterations;
       dynamics: the structure moves slowly, so the result depends on the pace; none: equilibrium, but dynamics where pace or damping is given
     pattern: pushover: forces as the masses, as the masses times the mode with most mass in `direction`, the [[load]]s that grow, or as the masses
@@ -1004,7 +1045,7 @@ class Analysis(Part):
 
     _table: ClassVar[str] = "analysis"
 
-    kind: Literal["time-history", "pushover", "tilt", "settlement", "cyclic"] | None = None
+    kind: Literal["time-history", "pushover", "tilt", "settlement", "cyclic", "rest"] | None = None
     solver: Literal["dynamics", "equilibrium"] | None = None
     pattern: Literal["mass", "mode", "given", "triangular"] | None = None
     direction: Sequence[float] | None = None
@@ -1243,7 +1284,7 @@ class Block(Part):
     velocity, m/s, 3 values: at the start; usually 1e-9 to 100, at most 1e5 in magnitude; default [0.0, 0.0, 0.0]
     angular_velocity, rad/s, 3 values: at the start, about global axes; usually 1e-6 to 1000, at most 1e6 in magnitude; default [0.0, 0.0, 0.0]
     rotate: turns the block before the start
-    motion: motion of a fixed block, or of a part of the base: velocity or file
+    motion: motion of a fixed block, of fixed stones, or of a part of the base: velocity, file, or its end
     """
 
     _table: ClassVar[str] = "block"
@@ -1288,6 +1329,7 @@ class Stones(Part):
       or those of the names and groups in an array; none: those that the file marks as supports, and if it marks none and the case has neither [base]
       nor a fixed block: "ground"; at most 1e9 in magnitude
     turn: turns the stones about an axis, before they are moved by place; a number: degrees about the file's z axis
+    motion: motion of a fixed block, of fixed stones, or of a part of the base: velocity, file, or its end
     """
 
     _table: ClassVar[str] = "stones"
@@ -1306,6 +1348,7 @@ class Stones(Part):
     warped: Literal["refuse", "triangles"] | None = None
     supports: float | Sequence[str] | Literal["ground", "none"] | None = None
     turn: StonesTurn | float | None = None
+    motion: StonesMotion | None = None
 
 
 @dataclass(kw_only=True, slots=True)
@@ -1451,5 +1494,5 @@ __all__ = ["Analysis", "Base", "BasePart", "BasePartMotion", "Block", "BlockMoti
            "Failure", "Gravity", "House", "HouseFloor", "HouseFloorAnchor", "HouseFloorDeck", "HouseInnerWall", "HouseLeaves", "HouseLeavesThrough",
            "HouseMesh", "HouseMeshConnectors", "HouseOpening", "HouseOpeningArch", "HouseOpeningLintel", "HousePier", "HouseReinforcement",
            "HouseRoof", "HouseRoofDeck", "HouseRoofTie", "HouseRubble", "HouseStorey", "HouseTie", "HouseWood", "JointLaw", "Joints", "JointsBetween",
-           "Load", "Material", "Motion", "MotionIntensity", "Output", "OutputCut", "OutputHistory", "Scatter", "Segments", "Stones", "StonesTurn",
-           "Tie", "Time", "Wall", "WallOpening", "WallOpeningArch", "WallOpeningLintel"]
+           "Load", "Material", "Motion", "MotionIntensity", "Output", "OutputCut", "OutputHistory", "Scatter", "Segments", "Stones", "StonesMotion",
+           "StonesTurn", "Tie", "Time", "Wall", "WallOpening", "WallOpeningArch", "WallOpeningLintel"]
