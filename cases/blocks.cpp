@@ -86,9 +86,7 @@ void check_support(const BlockSpec& spec, const std::string& key) {
   }
   if (!spec.motion) return;
   if (!spec.fixed) throw InputError(key + ".motion", "only a fixed block can be moved; set fixed = true");
-  const SupportMotion& m = *spec.motion;
-  if (m.velocity.has_value() + m.file.has_value() + (m.to || m.turn) != 1)
-    throw InputError(key + ".motion", "give exactly one of: velocity, file, to (and turn)");
+  check_motion(*spec.motion, key + ".motion");
 }
 
 /// Refuses `halves` for a block that is no box, or is fixed: fixed blocks cannot crack.
@@ -119,6 +117,11 @@ std::array<Block, 2> moving_halves(const BlockSpec& spec, const Block& whole) {
 }
 
 }  // namespace
+
+void check_motion(const SupportMotion& m, const std::string& key) {
+  if (m.velocity.has_value() + m.file.has_value() + (m.to || m.turn) != 1)
+    throw InputError(key, "give exactly one of: velocity, file, to (and turn)");
+}
 
 SupportHistory support_history(const SupportMotion& motion, const std::string& key) {
   SupportHistory history;

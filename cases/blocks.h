@@ -13,6 +13,9 @@ namespace voussoir::cases {
 /// \throw InputError with the key at fault
 void add_free_blocks(const Case& c, Model& model);
 
+/// \param key  of the motion \throw InputError unless it says one kind of motion
+void check_motion(const SupportMotion& motion, const std::string& key);
+
 /// The motion of a support from its keys. \param key  of its file
 SupportHistory support_history(const SupportMotion& motion, const std::string& key);
 

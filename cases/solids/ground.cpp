@@ -135,8 +135,7 @@ std::vector<Rectangle> places_of(const Case& c) {
     if (!(part.level > 0.0 && part.level <= 1e4))
       throw InputError(key_of(i, "level"),
                        text(part.level) + " m is out of range; allowed: above 0, at most 10000 m; base.z is the lowest ground");
-    if (part.motion && part.motion->velocity.has_value() == part.motion->file.has_value())
-      throw InputError(key_of(i, "motion"), "give exactly one of: velocity, file");
+    if (part.motion) check_motion(*part.motion, key_of(i, "motion"));
     all.push_back(place_of(c, i));
   }
   check_apart(c, all);

@@ -18,7 +18,8 @@ namespace voussoir::io {
 
 namespace {
 
-constexpr double kMore = 1.001;  // times as much mass: less is round-off
+constexpr double kMore = 1.001;            // times as much mass: less is round-off
+constexpr std::size_t kManyBlocks = 3000;  // of which modes take more than some seconds
 
 }  // namespace
 
@@ -35,6 +36,9 @@ cases::Model prepared_model(const cases::Case& c, int threads) {
 void fill_own_frequency(cases::Case& c, int threads) {
   if (!c.damping.own_frequency || c.damping.frequency) return;
   const cases::Model model = prepared_model(c, threads);
+  if (model.blocks.size() > kManyBlocks)
+    say_info("damping.frequency = \"auto\": looks for the natural frequency of " + std::to_string(model.blocks.size()) +
+             " elements, which may take minutes; a number of Hz in its place saves that");
   using solver::DryJoints;
   // Beams held on walls by friction only have six modes of zero frequency each; in that case their joints count as held by weight. Many
   // rafters have modes of their own below those of the building.

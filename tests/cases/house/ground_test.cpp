@@ -129,6 +129,8 @@ TEST_CASE("parts of the base beside each other share no joint, nor have they one
     CHECK(j.element_a < n - 2);
     CHECK(j.element_b != geometry::kBase);
   }
+  c.base->parts[1].motion = SupportMotion{.to = Vec3{0.0, 0.0, -0.02}};
+  CHECK(build_model(c).support_motions[0].displacement.back() == Vec3{0.0, 0.0, -0.02});
 }
 
 TEST_CASE("parts of the base that make no sense are refused by name") {
