@@ -22,6 +22,7 @@
 #include "io/output/replay/run_file.h"
 #include "io/output/report/damage/report_cracks.h"
 #include "io/output/report/damage/report_loads.h"
+#include "io/output/report/damage/report_ties.h"
 #include "io/output/report/report_bodies.h"
 #include "io/output/report/report_facts.h"
 #include "io/output/report/report_frames.h"
@@ -67,6 +68,14 @@ void put_bodies(Scripts& out, const Hdf5File& file, const FrameReader& reader) {
   } catch (const FileError& e) {
     say_warning(std::string("the page has no mechanism: ") + e.what(), "");
   }
+}
+
+/// Adds where ties begin and end; omitted for a model without.
+void put_ties(Scripts& out, const Hdf5File& file) {
+  if (!file.exists("/model/tie_ends") || file.shape("/model/tie_ends")[0] == 0) return;
+  out.put("tie-ends", file.read<float>("/model/tie_ends"));
+  out.put("tie-elements", file.read<std::int32_t>("/model/tie_element"));
+  out.put("tie-lives", tie_ends_of_life(file));
 }
 
 /// Adds the cracks at the end and their maps; omitted for a run whose case this program cannot read.
@@ -124,6 +133,7 @@ std::string report_data(const std::string& run, const std::string& prefix, const
   put_bodies(out, file, reader);
   put_cracks(out, file, reader);
   if (const std::string loads = report_loads(file, reader); !loads.empty()) out.put("loads", std::vector<char>(loads.begin(), loads.end()));
+  put_ties(out, file);
   put_modes(out, file, reader, modes);
   out.put("turn-shifts", frames.shift);
   out.put("text/plain", "frames", frames.text);

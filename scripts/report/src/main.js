@@ -6,6 +6,7 @@ import { loadRun } from "./data.js";
 import { showLegend } from "./legend.js";
 import { keepUp } from "./live.js";
 import { drawOverlay } from "./overlay.js";
+import { tiesAt } from "./ties.js";
 import { loadsAt } from "./loads.js";
 import { Pane } from "./pane.js";
 import { compose, kPaper, Recorder } from "./pictures.js";
@@ -21,7 +22,7 @@ function say(id, text) {
   if (by(id).textContent !== text) by(id).textContent = text;
 }
 const afterComma = (url) => url.slice(url.indexOf(",") + 1);
-const kNight = { text: "#e8e6e2", rim: "rgba(20, 20, 22, 0.85)", arrow: "#7db7ff", hinge: "#b9c4ff", load: "#e5a8ff" };
+const kNight = { text: "#e8e6e2", rim: "rgba(20, 20, 22, 0.85)", arrow: "#7db7ff", hinge: "#b9c4ff", load: "#e5a8ff", tie: "#ffb454" };
 // While it plays where the processor draws: only every so many frames the clock, the slider and the lines in the plots go on, and every so many
 // times that values are read and the picture is written upon. What changes beside the house has to be painted, too.
 const kStepped = 3, kSeldom = 3;
@@ -88,6 +89,7 @@ class Report {
       this.modes = this.runs.length === 1 ? this.run.modes : undefined;
       this.modes?.names().forEach((name, i) => by("mode").add(new Option(name, i)));
       by("mode").parentElement.hidden = !this.modes;
+      by("ties").parentElement.hidden = !this.runs.some((run) => run.ties);
       by("shake").parentElement.hidden = !this.runs.some((run) => run.facts.ground?.length > 0);
       if (this.run.frames.bodies) by("colour").add(new Option("bodies that move as one", "bodies"));
       if (this.run.model) {
@@ -149,7 +151,7 @@ class Report {
     const { panes } = this, redraw = () => this.redraw(), houses = (act) => () => (panes.forEach(({ house }) => act(house)), redraw());
     by("time").addEventListener("input", (e) => this.show(Number(e.target.value)));
     by("play").addEventListener("click", () => this.play(!this.playing));
-    for (const id of ["colour", "magnify", "names", "shake"]) by(id).addEventListener("change", redraw);
+    for (const id of ["colour", "magnify", "names", "ties", "shake"]) by(id).addEventListener("change", redraw);
     by("mode").addEventListener("change", () => (this.redraw(), this.play(this.mode !== null)));
     by("camera").addEventListener("change", (e) => this.look(e.target.value));
     by("roofless").addEventListener("change", houses((house) => house.hideRoof(by("roofless").checked)));
@@ -255,7 +257,7 @@ class Report {
 
   #overlayOf(pane) {
     const t = this.time(), plan = pane.house.view === "plan";
-    return { names: by("names").checked && !plan, loads: this.mode === null ? loadsAt(pane) : null, ground: this.mode === null ? pane.groundAt(t) : null, distances: plan, hinges: by("colour").value === "bodies" && this.mode === null ? pane.run.frames.bodies?.hinges(pane.house.at, (e, p) => pane.house.carried(e, p)) : null };
+    return { names: by("names").checked && !plan, loads: this.mode === null ? loadsAt(pane) : null, ties: by("ties").checked && this.mode === null ? tiesAt(pane, t) : null, ground: this.mode === null ? pane.groundAt(t) : null, distances: plan, hinges: by("colour").value === "bodies" && this.mode === null ? pane.run.frames.bodies?.hinges(pane.house.at, (e, p) => pane.house.carried(e, p)) : null };
   }
 
   #overlay(pane) {

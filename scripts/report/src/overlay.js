@@ -137,13 +137,27 @@ function loadArrows(c, loads, camera, width, height, u, ink) {
   }
 }
 
-/** Draws all of these that `on` asks for: names, axes, ground (three numbers, m/s²), distances, loads. */
+/** Ties as lines that are seen through walls; the thinner the more there are. */
+function tieLines(c, ties, camera, width, height, ink) {
+  c.strokeStyle = ink.tie, c.lineWidth = ties.length > 100 ? 1 : 2.5;
+  c.beginPath();
+  for (const pair of ties) {
+    const ends = pair.map((p) => seen(new Vector3(...p), camera, width, height));
+    if (ends.some((p) => !p)) continue;
+    markLine(c, ...ends, 3);
+    c.moveTo(...ends[0]), c.lineTo(...ends[1]);
+  }
+  c.stroke();
+}
+
+/** Draws all of these that `on` asks for: names, axes, ground (three numbers, m/s²), distances, loads, ties. */
 export function drawOverlay(c, house, width, height, u, on, ink) {
   const { camera } = house, facts = house.run.facts;
   camera.updateMatrixWorld();
   if (on.distances && facts.base !== null) distanceNames(c, house, facts.base, camera, width, height, u, ink);
   if (on.names) wallNames(c, facts, camera, width, height, u, ink, house.partly);
   const bottom = height - (on.bottom ?? 0.6 * u), end = axes(c, camera, house.controls.target, 0.6 * u, bottom, u, ink, height);
+  if (on.ties) tieLines(c, on.ties, camera, width, height, ink);
   if (on.loads) loadArrows(c, on.loads, camera, width, height, u, ink);
   if (on.ground && facts.base !== null) groundArrow(c, on.ground, camera, end + u, bottom, u, ink);
   for (const { points, slides } of on.hinges ?? []) {

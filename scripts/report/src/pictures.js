@@ -4,7 +4,7 @@
 import { drawCaption, drawOverlay } from "./overlay.js";
 
 /** On paper, whatever the theme. */
-export const kPaper = { text: "#222", rim: "rgba(255, 255, 255, 0.85)", arrow: "#1f5fa8", hinge: "#1a237e", load: "#7b1fa2" };
+export const kPaper = { text: "#222", rim: "rgba(255, 255, 255, 0.85)", arrow: "#1f5fa8", hinge: "#1a237e", load: "#7b1fa2", tie: "#c05a00" };
 
 /** Draws the panes side by side with caption and legend, as large as the canvas of `c`; they have just been drawn. */
 export function compose(c, panes, caption, overlay) {
