@@ -120,7 +120,7 @@ std::array<Block, 2> moving_halves(const BlockSpec& spec, const Block& whole) {
 
 void check_motion(const SupportMotion& m, const std::string& key) {
   if (m.velocity.has_value() + m.file.has_value() + (m.to || m.turn) != 1)
-    throw InputError(key, "give exactly one of: velocity, file, to (and turn)");
+    throw InputError(key, "give exactly one of: velocity; file; to, turn or both");
 }
 
 SupportHistory support_history(const SupportMotion& motion, const std::string& key) {

@@ -82,8 +82,8 @@ void set_up_multirate(World& w, const cases::Case& c) {
   if (m.wanted == 1) return;
   for (const cases::SupportHistory& h : w.model.support_motions) {
     if (!h.rotation.empty())
-      throw cases::InputError("time.multirate",
-                              "= " + std::to_string(m.wanted) + " does not go with a support that turns (" + h.key + "); allowed: 1");
+      throw cases::InputError("time.multirate", "= " + std::to_string(m.wanted) + " does not go with a support that turns (" +
+                                                    h.key.substr(0, h.key.rfind('.')) + "); allowed: 1");
   }
   m.every = steps_by_level(m.wanted);
   if (m.every.back() != m.wanted || m.every.size() > Multirate::kMostLevels)

@@ -88,9 +88,9 @@ Table<Analysis> analysis_table() {
             {"cyclic", AnalysisKind::cyclic},
             {"rest", AnalysisKind::rest}},
            "time-history: [motion] shakes; pushover: lateral forces grow; tilt: gravity turns; settlement: supports move by their "
-           "[block.motion], [stones.motion], or that of a [[base.part]]; cyclic: the loads that grow push to and fro; rest: whether all of "
-           "it stands: weights, then the loads that grow and the ways of supports, in proportion and up to their end. All but the first go "
-           "slowly and leave [motion] out"),
+           "[block.motion], [stones.motion], or that of a [[base.part]]; cyclic: the loads that grow push to and fro; rest: does it stand? "
+           "Weights act first, then the loads that grow and the movements of supports increase together to their full values. All but the "
+           "first go slowly and leave [motion] out"),
        choice<S, std::optional<Solver> S::*, Solver>(
            "solver", &S::solver, "", {{"dynamics", Solver::dynamics}, {"equilibrium", Solver::equilibrium}},
            "of all kinds but time-history. equilibrium: each row is a state of rest, found by relaxation, and the run's time counts "
@@ -206,7 +206,7 @@ void check_analysis(const Case& c, const RuleCheck& check) {
   bool moves = false;
   each_motion(c, [&](const SupportMotion&, const std::string&) { moves = true; });
   if (a.kind == AnalysisKind::settlement && !moves)
-    check.fault("analysis.kind", "needs a fixed block, fixed stones or a [[base.part]] with motion, which move");
+    check.fault("analysis.kind", "needs a motion of a fixed block, of fixed stones or of a [[base.part]]");
   if (a.kind == AnalysisKind::rest && !finds_rest(a))
     check.fault("analysis.kind", "= \"rest\" is found by analysis.solver = \"equilibrium\"; leave out solver, pace and damping");
   if (finds_rest(a)) check_time(c, check);

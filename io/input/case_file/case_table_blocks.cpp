@@ -36,21 +36,26 @@ Table<SupportMotion> support_motion_table() {
       {value<S>("velocity", &S::velocity, "m/s", any().usually(usual::kSpeed), "constant velocity"),
        value<S>(
            "file", &S::file, "", filled(),
-           "CSV of t, x, y, z in s and m, from where the block stands; a first row away from zero is a jump. Three more columns rx, ry, "
-           "rz turn it: a rotation vector, axis times angle, in rad, zero in the first row. In a settlement t says in which order and "
-           "proportion supports move, not how fast"),
-       value<S>("to", &S::to, "m", any().usually(usual::kAmplitude),
-                "settlement and rest: how far it has gone at the end, straight, in place of file"),
+           "CSV of t, x, y, z in s and m, from where the support stands; a first row away from zero is a jump. Three more columns rx, ry, "
+           "rz turn it: a rotation vector, axis times angle, in rad (turn is in degrees), zero in the first row. In settlement and rest t "
+           "gives only the order and proportion in which supports move, not how fast"),
+       value<S>(
+           "to", &S::to, "m", any().usually(usual::kAmplitude),
+           "settlement and rest: how far it moves, straight, from t = 0 to t = 1 of the supports' clock, in place of file; beside supports "
+           "with a file let that end at 1, too"),
        value<S>("turn", &S::turn, "degrees", any().possibly(0.0, usual::kMostTurn),
-                "settlement and rest: how far it has turned at the end, a rotation vector (axis times angle), beside or in place of to"),
+                "settlement and rest: how far it turns meanwhile, a rotation vector (axis times angle), beside or in place of to"),
        value<S>("about", &S::about, "m", any().possibly(0.0, usual::kFarthest),
-                "the point that to, or x, y, z of the file, are of, and about which it turns; none: its centroid")},
+                "point about which the support turns, in axes of the case; to, or x, y, z of the file, move this point. Needs turn, or a "
+                "file with "
+                "rx, ry, rz; none: the centroid of the block or stone")},
       [](const S& s, const RuleCheck& check) {
         const bool ends = s.to || s.turn;
         if (s.velocity && (s.file || ends))
           check.fault(s.file ? "file" : s.to ? "to" : "turn", "does not go with velocity; give one of them");
         if (s.file && ends) check.fault(s.to ? "to" : "turn", "does not go with file; give one of them");
-        if (!s.velocity && !s.file && !ends) check.fault("", "says nothing; give velocity (m/s), file, or to (m) and turn (degrees)");
+        if (!s.velocity && !s.file && !ends)
+          check.fault("", "says nothing; give one of: velocity (m/s); file; to (m), turn (degrees) or both");
         if (s.about && !s.file && !s.turn) check.fault("about", "needs turn, or file with the columns rx, ry, rz");
       }};
 }

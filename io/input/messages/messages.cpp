@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/input/messages/messages.h"
 
+#include <csignal>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -32,7 +33,10 @@ void print_error(int code, const Message& m) {
 
 }  // namespace
 
-void say_as_json(bool json) noexcept { as_json = json; }
+void say_as_json(bool json) noexcept {
+  as_json = json;
+  if (json) std::signal(SIGPIPE, SIG_IGN);  // a run goes on when whoever listened is gone
+}
 bool says_json() noexcept { return as_json; }
 
 void say_error(int code, const Message& message) { as_json ? print_error(code, message) : print(kProgramName, message.text); }
@@ -52,9 +56,7 @@ void say_warning(const std::string& text, const char* name) {
   as_json ? print_json({{"kind", "warning"}, {"text", text}}) : print(name, "warning: " + text);
 }
 
-void say_note(const std::string& text) {
-  as_json ? print_json({{"kind", "note"}, {"text", text}}) : print(kProgramName, "note: " + text);
-}
+void say_note(const std::string& text) { as_json ? print_json({{"kind", "note"}, {"text", text}}) : print(kProgramName, "note: " + text); }
 
 void say_info(const std::string& text) { as_json ? print_json({{"kind", "info"}, {"text", text}}) : print(kProgramName, text); }
 

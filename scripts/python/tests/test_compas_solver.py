@@ -115,7 +115,7 @@ class AtRest(InAFolder):
 
     def test_what_cannot_be_had_is_refused_by_name(self):
         partial = {"block_index": 0, "translation": [0.01, None, None], "rotation": None}
-        with self.assertRaisesRegex(voussoir.InputError, "block 0 is held, but its translation y, translation z, rotation x"):
+        with self.assertRaisesRegex(voussoir.InputError, "block 0 has prescribed components, but these are free: translation y, translation z, rotation x"):
             voussoir.compas.solve(self.written(problem(displacements=[partial])))
         self.assertEqual(voussoir.compas.solve(self.written(problem(displacements=[partial])), unprescribed="hold").status, "equilibrium")
         content = problem()

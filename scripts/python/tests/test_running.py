@@ -68,6 +68,24 @@ class Running(InAFolder):
         self.assertTrue(run.finished)
         self.assertTrue(run.same_as(straight))
 
+    def test_a_run_goes_on_to_its_end_when_python_is_killed(self):
+        code = (f"import sys\nsys.path[:0] = [{str(HERE)!r}, {str(HERE.parent)!r}]\nfrom fixture import blocks\n"
+                f"blocks().run({str(self.folder / 'run')!r}, until={LONG}, threads=1, progress=lambda state: print(state.time, flush=True))")
+        with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as python:
+            python.stdout.readline()
+            python.kill()
+        end = time.monotonic() + 60.0
+        while time.monotonic() < end:
+            time.sleep(0.2)
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                try:
+                    if voussoir.Run(self.folder / "run").state == "finished":
+                        return
+                except voussoir.FileError:
+                    pass  # not there yet
+        self.fail("the run has ended with the Python that began it")
+
     def test_a_fault_in_the_callers_progress_stops_the_run(self):
         def bad(_):
             raise RuntimeError("of the caller")

@@ -30,7 +30,7 @@ class Solution:
     """The state of rest of a problem, or the last one that was found.
 
     status: "equilibrium" (all loads and displacements are on), "partial" (no state of rest beyond `share` of them), "no rest" (none under the weight
-    alone: there are no blocks and contacts, and `note` says what the program says). share: of loads and prescribed displacements, 1. unbalanced: largest unbalanced force over the mean weight of a block.
+    alone, or the run failed: `note` has what the program says, and the Problem is left as it was). share: of loads and prescribed displacements, from 0 to 1. unbalanced: largest unbalanced force over the mean weight of a block.
     blocks: by name, "translation" of the centroid, m, and "transformation", 4 x 4. contacts: the two "blocks", "point", "normal" (out of the first),
     "area", "force" and "moment" about the point (N, N m), which the second exerts on the first. folder: of the run, if it was kept.
     """
@@ -53,10 +53,11 @@ def solve(problem: Any, *, folder: str | os.PathLike[str] | None = None, threads
 
     problem: a compas_dem Problem, or a file that `compas.json_dump` wrote. A Problem gets the results as compas_dem's solvers write them: nodes of
     the graph a "transformation"; edges "force" (N, of the first block on the second, in global axes), "force_magnitude", "contact_point",
-    "contact_polygon", "contact_data" (a FrictionContact with forces at its corners) and "face_contact". folder: where the run is kept (default: nowhere). young: Pa,
-    for stones without Ecm. tolerance: largest unbalanced force over the mean weight of a block. unprescribed, stones: as for model_of.
+    "contact_polygon", "contact_data" (a FrictionContact with forces at its corners) and "face_contact". folder: where the run is kept (default: nowhere). young: Pa, in
+    place of the Ecm of all stones; needed where they have none. tolerance: largest unbalanced force over the mean weight of a block. unprescribed, stones: as for model_of.
 
-    Raises InputError for what cannot be had; a structure that finds no rest raises nothing: see Solution.status.
+    Raises InputError for what cannot be had; a structure that finds no rest raises nothing: see Solution.status. NumericalFailure: the run ended
+    before its end.
     """
     with tempfile.TemporaryDirectory(prefix="voussoir-") as scratch:
         path = problem if isinstance(problem, (str, os.PathLike)) else _written(problem, pathlib.Path(scratch))

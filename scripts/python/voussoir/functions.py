@@ -64,10 +64,10 @@ def modes(case: "Model | Case | Path", count: int = 6, *, impulse: bool = False,
 
 
 def limit(case: "Model | Case | Path", *, direction: str | None = None, associated: bool = False, options: Sequence[Word] = ()) -> Limit:
-    """The collapse multiplier of dry blocks and its mechanism, by limit analysis (needs Clp). Its bounds are proven, or `proven` says no.
+    """The collapse multiplier of dry blocks and its mechanism, by limit analysis (needs Clp). `proven` says whether its bounds hold.
 
-    direction: of the live load: x, -x, y, ..., degrees from x towards y, or X,Y,Z. associated: flow in which joints open as they slide alone, in a
-    twentieth of the time. options: further ones of `voussoir limit --help`, as "--kinematic".
+    direction: of the live load: x, -x, y, ..., degrees from x towards y, or X,Y,Z. associated: only associated flow, where
+    joints open as they slide: an equal or larger multiplier, in a twentieth of the time. options: further ones of `voussoir limit --help`, as "--kinematic".
     """
     words = ["--quiet", *_option("--direction", direction), *_flag("--associated", associated), *options]
     text, code, said = _with_file(case, lambda file: commands.told("limit", file, *words, "--format", "json", codes=(0, 1)))

@@ -11,7 +11,7 @@ const rate = (c) => (is(c.unbalanced) ? "of states of rest" : `without inertia a
 /** What stands in large type: [name, value, small print]. @param c  null or undefined: a time history */
 export function capacityKeys(c) {
   if (!c) return [];
-  if (c.kind === "rest") return [["At rest", percent(c.share, 1), "of the loads that grow and of the supports' ways"]];
+  if (c.kind === "rest") return [["At rest", percent(c.share, 1), "of the loads that grow and of the supports' movements"]];
   if (c.kind === "settlement") return [["Fell after", is(c.collapse_movement) ? `${c.collapse_movement.toFixed(3)} m` : "never", "movement of a support"]];
   if (c.kind === "cyclic") return [["Load factors", `${c.least_factor.toFixed(2)} … ${c.multiplier.toFixed(2)}`, `${c.loops?.length ?? 0} whole cycles`], ["Lost in the loops", fixed(c.dissipated, 1, "J"), `of ${fixed(c.loop_area, 1, "J")} put in`]];
   return [

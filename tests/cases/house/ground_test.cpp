@@ -156,7 +156,7 @@ TEST_CASE("parts of the base that make no sense are refused by name") {
   refused([](BasePart& p) { p.y = {-1.0, 0.1}; }, "base.part[0]", "ends within the thickness of the front wall");
   refused([](BasePart& p) { p.x = {0.25, 6.0}; }, "base.part[0]", "leaves a piece of the front wall");
   refused([](BasePart& p) { p.y = {1.0, 2.0}, p.x = {1.0, 2.0}; }, "base.part[0]", "no wall stands on it");
-  refused([](BasePart& p) { p.motion.emplace(); }, "base.part[0].motion", "give exactly one of: velocity, file, to");
+  refused([](BasePart& p) { p.motion.emplace(); }, "base.part[0].motion", "give exactly one of: velocity; file; to, turn or both");
   testing::check_refused(
       on_two_levels(), [](Case& c) { c.base->parts.push_back(c.base->parts[0]); }, "base.part[1]", "overlaps base.part[0], x [2.8, 6] m");
   testing::check_refused(

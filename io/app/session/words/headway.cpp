@@ -41,7 +41,7 @@ std::string headway(const solver::Simulation& sim) {
   if (a.kind == cases::AnalysisKind::settlement) return of_supports(sim, row.support_moved);
   if (a.kind == cases::AnalysisKind::rest && program.last_support() == 0.0) return "the weights";
   if (a.kind == cases::AnalysisKind::rest)
-    return printed("%.1f %% of the loads that grow and of the supports' ways", 100.0 * program.factor());
+    return printed("%.1f %% of the loads that grow and of the supports' movements", 100.0 * program.factor());
   const std::string so_far = printed("load factor %.4f, control point %.2f", program.factor(), 1e3 * row.displacement);
   if (a.kind == cases::AnalysisKind::cyclic)
     return so_far + printed(" mm, %lld of %lld half cycles", static_cast<long long>(program.half_cycles()),

@@ -74,8 +74,10 @@ double hanging_length(const Capacity& c) {
   return sum;
 }
 
-/// Of the loads that grow, at the last state of rest. What has collapsed may rest, too, on the ground: that row does not count.
+/// Of the loads that grow and of the movements of supports, at the last state of rest; 1 where all is on, also of weights alone. What has
+/// collapsed may rest, too, on the ground: that row does not count.
 double share_at_rest(const Capacity& c) {
+  if (c.ended == "all is on") return 1.0;
   const auto& factor = c.curve.factor;
   return c.ended == "collapse" && factor.size() > 1 ? factor[factor.size() - 2] : factor.back();
 }
@@ -153,7 +155,7 @@ const char* name_of(AnalysisKind kind) {
 std::vector<Figure> figures_of(const Capacity& c) {
   std::vector<Figure> f{{"kind", name_of(c.kind), "analysis.kind"}, {"ended", c.ended, "why"}};
   if (c.kind == AnalysisKind::rest) {
-    f.push_back({"share", share_at_rest(c), "1, of the loads that grow and of the supports' ways, at the last state of rest"});
+    f.push_back({"share", share_at_rest(c), "1, of the loads that grow and of the supports' movements, at the last state of rest"});
     f.push_back({"unbalanced", c.unbalanced, "1, largest unbalanced force over the mean weight of an element"});
   }
   if (follows_supports(c.kind)) {
@@ -229,7 +231,7 @@ std::string capacity_text(const Capacity& c) {
     const double share = share_at_rest(c);
     text += c.ended == "all is on"
                 ? line("at rest", "under all of it; unbalanced by at most %.1e of an element's mean weight", c.unbalanced)
-                : line("at rest", "up to %.4f of the loads that grow and of the supports' ways%s", share,
+                : line("at rest", "up to %.4f of the loads that grow and of the supports' movements%s", share,
                        on ? ", so far" : "; no state of rest was found beyond");
     return text + line("supports moved", "by %.4f m", c.curve.support_moved.back()) + hanging_text(c.hanging) + "mechanism at the end " +
            list(c.mechanism_at_end) + "\n";

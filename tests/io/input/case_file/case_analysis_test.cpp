@@ -138,7 +138,7 @@ TEST_CASE("analysis: what does not go together is refused, with line, key and wh
   CHECK(refusal(kPushed + analysis("kind = \"cyclic\"")).find("analysis.amplitudes is missing") != std::string::npos);
   CHECK(refusal(kPushed + analysis("kind = \"cyclic\"\namplitudes = [0.001, 0.0]")).find("must all be > 0 (m)") != std::string::npos);
   CHECK(refusal(analysis("kind = \"cyclic\"\namplitudes = [0.001]")).find("needs a [[load]] with grows = true") != std::string::npos);
-  CHECK(refusal(analysis("kind = \"settlement\"")).find("needs a fixed block, fixed stones or a [[base.part]] with motion") !=
+  CHECK(refusal(analysis("kind = \"settlement\"")).find("needs a motion of a fixed block, of fixed stones or of a [[base.part]]") !=
         std::string::npos);
   CHECK(refusal("[[base.part]]\nwall = \"rear\"\nlevel = 0.2\nmotion = { velocity = [0, 0, -0.1] }\n" +
                 analysis("kind = \"settlement\"")) == "accepted");

@@ -172,7 +172,7 @@ TEST_CASE("faults: parts of the base, arches and rubble say which keys go togeth
   faulty(square + "wall = \"front\"\n", "base.part[0].wall", "does not go with x and y");
   faulty(square + "from = 1.0\n", "base.part[0].from", "needs wall");
   faulty(front + "from = 2.0\nto = 1.0\n", "base.part[0].to", "must be above base.part.from");
-  faulty(front + "motion = {}\n", "base.part[0].motion", "says nothing; give velocity (m/s), file, or to (m) and turn (degrees)");
+  faulty(front + "motion = {}\n", "base.part[0].motion", "says nothing; give one of: velocity (m/s); file; to (m), turn (degrees) or both");
   faulty("[house]\nrubble = { seed = 2 }\n", "house.rubble", "needs bond = \"rubble\"");
   faulty("[house]\nbond = \"rubble\"\nhalves = true\n", "house.halves", "does not go with bond = \"rubble\"");
   const std::string opening = "[[house.opening]]\nwall = \"rear\"\nfrom = 1.0\nwidth = 1.0\nheight = 1.0\n";
