@@ -5,7 +5,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
 #include <numeric>
@@ -234,17 +233,17 @@ double support_speed(const World& w, double wanted) {
   return fastest > 0.0 ? wanted / fastest : 1.0;
 }
 
-/// Way of the supports' clock to the first state of rest [s].
+/// Way of the supports' clock to the first state of rest [s]; finite, since it is state, also where nothing moves or grows.
 double first_on_clock(const Simulation& sim, const Totals& all) {
   const World& w = sim.world();
-  const double of_loads =
-      std::ranges::any_of(w.loads, &PointLoad::grows) ? kRestLoad * sim.program().last_support() : std::numeric_limits<double>::infinity();
-  return w.supports.empty() ? of_loads : std::min(of_loads, kRestMovement * all.height * support_speed(w, 1.0));
+  double first = 1.0;
+  if (std::ranges::any_of(w.loads, &PointLoad::grows)) first = kRestLoad * sim.program().last_support();
+  return w.supports.empty() ? first : std::min(first, kRestMovement * all.height * support_speed(w, 1.0));
 }
 
 /// Load factor that the fictitious masses add while the clock speeds up, see Path::set. Loads set no mass in motion by themselves.
 double inertia_on_clock(const World& w, const Totals& all, double gravity) {
-  if (w.supports.empty()) return 0.0;
+  if (w.supports.empty() || !(gravity > 0.0)) return 0.0;
   const double masses = std::accumulate(w.elements.inert.mass.begin(), w.elements.inert.mass.end(), 0.0);
   return masses / (all.mass * gravity * w.dt * w.dt * support_speed(w, 1.0));
 }

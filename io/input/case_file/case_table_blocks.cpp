@@ -39,12 +39,10 @@ Table<SupportMotion> support_motion_table() {
            "CSV of t, x, y, z in s and m, from where the support stands; a first row away from zero is a jump. Three more columns rx, ry, "
            "rz turn it: a rotation vector, axis times angle, in rad (turn is in degrees), zero in the first row. In settlement and rest t "
            "gives only the order and proportion in which supports move, not how fast"),
-       value<S>(
-           "to", &S::to, "m", any().usually(usual::kAmplitude),
-           "settlement and rest: how far it moves, straight, from t = 0 to t = 1 of the supports' clock, in place of file; beside supports "
-           "with a file let that end at 1, too"),
+       value<S>("to", &S::to, "m", any().usually(usual::kAmplitude),
+                "settlement and rest: how far it moves at the end, straight, in place of file"),
        value<S>("turn", &S::turn, "degrees", any().possibly(0.0, usual::kMostTurn),
-                "settlement and rest: how far it turns meanwhile, a rotation vector (axis times angle), beside or in place of to"),
+                "settlement and rest: how far it turns at the end, a rotation vector (axis times angle), beside or in place of to"),
        value<S>("about", &S::about, "m", any().possibly(0.0, usual::kFarthest),
                 "point about which the support turns, in axes of the case; to, or x, y, z of the file, move this point. Needs turn, or a "
                 "file with "

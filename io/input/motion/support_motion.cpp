@@ -7,8 +7,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "cases/model.h"
+#include "geometry/nth.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/foreign_text.h"
 #include "io/input/files/text_file.h"
@@ -74,9 +76,9 @@ void add_row(const std::string& path, long line, const std::vector<double>& row,
   history.displacement.push_back({row[1], row[2], row[3]});
 }
 
-/// Reads the file of a history. \param unit  of x, y, z: "m", for a load "N"
-void read_history(const std::string& path, std::string_view unit, cases::SupportHistory& history) {
-  const bool turns = unit == "m";
+/// Reads the file of a history. \param unit  of x, y, z: "m", for the force of a load "N" \param turns  whether it may turn: that of a
+/// support
+void read_history(const std::string& path, std::string_view unit, bool turns, cases::SupportHistory& history) {
   const std::string wanted = "wanted: t [s], x, y, z [" + std::string(unit) + "]" + (turns ? ", and where it turns rx, ry, rz [rad]" : "");
   std::size_t columns = 0;  // of all rows; 0: not known yet
   const std::string text = read_foreign_text(path, kLargestFile);
@@ -104,18 +106,44 @@ void read_history(const std::string& path, std::string_view unit, cases::Support
 
 }  // namespace
 
+namespace {
+
+/// Ways without a file end with the last of the files, so that all supports move in proportion.
+void end_together(cases::Model& model) {
+  double last = 0.0;
+  std::vector<cases::SupportHistory*> ways;
+  for (const cases::Block& block : model.blocks) {
+    if (block.support_motion < 0) continue;
+    cases::SupportHistory& h = nth(model.support_motions, block.support_motion);
+    if (!h.file.empty())
+      last = std::max(last, h.time.back());
+    else if (!h.open_ended)
+      ways.push_back(&h);
+  }
+  for (cases::SupportHistory* h : ways) {
+    if (last > 0.0) h->time.back() = last;
+  }
+}
+
+}  // namespace
+
 void load_support_motions(cases::Model& model, const std::string& folder) {
+  const auto is_of = [](const std::vector<std::int32_t>& numbers, std::size_t i) {
+    return std::ranges::find(numbers, static_cast<std::int32_t>(i)) != numbers.end();
+  };
   for (std::size_t i = 0; i < model.support_motions.size(); ++i) {
     cases::SupportHistory& h = model.support_motions[i];
     if (h.file.empty()) continue;
-    const bool of_load = std::ranges::find(model.load_history, static_cast<std::int32_t>(i)) != model.load_history.end();
+    const bool of_load = is_of(model.load_history, i);
     const std::filesystem::path path(h.file);
     try {
-      read_history(path.is_absolute() || folder.empty() ? h.file : (std::filesystem::path(folder) / path).string(), of_load ? "N" : "m", h);
+      read_history(path.is_absolute() || folder.empty() ? h.file : (std::filesystem::path(folder) / path).string(), of_load ? "N" : "m",
+                   !of_load && !is_of(model.load_path, i), h);
     } catch (const FileError& e) {
       throw NamedFileError(e, h.key);
     }
   }
+  end_together(model);
 }
 
 }  // namespace voussoir::io

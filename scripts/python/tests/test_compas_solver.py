@@ -133,3 +133,14 @@ class AtRest(InAFolder):
         found = voussoir.compas.solve(self.written(content))
         self.assertEqual((found.status, found.contacts, found.blocks), ("no rest", [], {}))
         self.assertIn("finds no rest while gravity is put on", found.note)
+
+    def test_what_topples_and_lies_on_a_floor_does_not_stand(self):
+        content = problem(displacements=[{"block_index": k, "translation": [0.0] * 3, "rotation": [0.0] * 3} for k in (0, 2)])
+        model = content["data"]["model"]["data"]
+        model["elements"]["guid-a"]["data"]["geometry"] = mesh([0.25, 0, 0.2], [0.75, 0.3, 0.4])
+        model["elements"]["guid-c"] = {"dtype": "compas_dem.elements/Block",
+                                       "data": {"transformation": None, "name": "Block", "geometry": mesh([-2, -2, -0.6], [2, 2, -0.4])}}
+        model["graph"]["node"]["2"] = {"element": "guid-c"}
+        for load in ([], [{"block_index": 1, "force": [1.0, 0, 0], "moment": None, "point": None, "loading_type": "ramp"}]):
+            content["data"]["boundary_conditions"]["data"]["point_loads"] = load
+            self.assertEqual(voussoir.compas.solve(self.written(content)).status, "no rest")

@@ -81,6 +81,8 @@ def watch(*words: Word, progress: bool | Callable[[Progress], None] = True) -> s
         if pipe:
             pipe.close()
     said = shown.said
+    if code not in (0, 128 + signal.SIGINT, 128 + signal.SIGTERM):
+        raise error_of(code, said.faults, said.others, said.remarks) from shown.failed
     said.warn()
     if shown.failed:
         raise shown.failed
@@ -130,8 +132,11 @@ class _Shown:
                 self.failed = error
                 self._child.send_signal(signal.SIGINT)
         elif self._progress:
-            sys.stderr.write(f"\r{state.text}\x1b[K")
-            self._line = True
+            try:
+                sys.stderr.write(f"\r{state.text}\x1b[K")
+                self._line = True
+            except (AttributeError, OSError, ValueError):  # there is no standard error, or no more; what the program says has to be read all the same
+                self._progress, self._line = False, False
 
 
 def _stopped(said: Said) -> Stopped:

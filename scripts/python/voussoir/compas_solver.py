@@ -12,7 +12,7 @@ from typing import Any
 
 from .compas import follow_contacts, model_of, solution
 from .compas_problem import Problem
-from .errors import InputError, NumericalFailure
+from .errors import FileError, NumericalFailure
 from .runs import Run
 
 import numpy as np  # isort: skip
@@ -68,6 +68,8 @@ def solve(problem: Any, *, folder: str | os.PathLike[str] | None = None, threads
         try:
             run = model.run(folder or pathlib.Path(scratch) / "run", threads=threads, progress=progress)
         except NumericalFailure as error:
+            if _rows_of_rest(folder or pathlib.Path(scratch) / "run"):
+                raise  # it stood, and the computation failed
             return Solution("no rest", 0.0, np.nan, {}, [], kept, str(error))
         with contextlib.closing(run):
             found = _solution(run, kept)
@@ -121,9 +123,20 @@ def _solution(run: Run, folder: pathlib.Path | None) -> Solution:
     at_rest = np.asarray(rows.time)[np.asarray(rows.over) != _LOST]
     if capacity["ended"] == "collapse":
         at_rest = at_rest[:-1]  # what has fallen rests, too
+    if not len(at_rest):
+        return Solution("no rest", 0.0, np.nan, {}, [], folder, "it falls under its weight: " + "; ".join(map(str, capacity.get("mechanism_at_end", []))))
     state = solution(run, float(at_rest[-1]))
     status = "equilibrium" if capacity["ended"] == "all is on" else "partial"
     return Solution(status, float(capacity["share"]), float(capacity["unbalanced"]), state["blocks"], state["contacts"], folder)
+
+
+def _rows_of_rest(folder: str | os.PathLike[str]) -> bool:
+    """Whether a run that has failed had found states of rest."""
+    try:
+        with contextlib.closing(Run(folder)) as run:
+            return len(np.asarray(run.assessment.time)) > 0
+    except (FileError, AttributeError, KeyError):
+        return False
 
 
 def _write_into(problem: Any, read: Problem, found: Solution) -> None:

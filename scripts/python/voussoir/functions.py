@@ -13,7 +13,7 @@ import pathlib
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from . import commands
+from . import bars, commands
 from .answers import Assessed, Checked, Compared, Limit, Mode, Modes, MotionFigures, StudyTable, made
 from .commands import Word
 from .errors import error_of
@@ -90,8 +90,9 @@ def run(case: "Model | Case | Path", folder: Path | None = None, *, until: float
     if not isinstance(case, (str, os.PathLike)):
         return Model.of(case).run(folder, until=until, threads=threads, overwrite=overwrite, progress=progress, options=options)
     to = pathlib.Path(folder or pathlib.Path("results") / pathlib.Path(case).stem)
-    commands.watch("run", case, "-o", to, *_option("--duration", until), *_option("-j", threads), *_flag("--overwrite", overwrite), *options,
-                   progress=progress)
+    with bars.shown(to.name, progress) as told:
+        commands.watch("run", case, "-o", to, *_option("--duration", until), *_option("-j", threads), *_flag("--overwrite", overwrite), *options,
+                       progress=told)
     return Run(to)
 
 

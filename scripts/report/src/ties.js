@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-// Rods, anchors and the bars of decks and meshes as lines between what they hold; a broken one is gone.
+// Rods and anchors as lines between what they hold; a broken one is gone. Bars of decks and meshes are not in the file.
 
 /** Ends of all ties that hold at a time [s], m. @returns list of pairs of points, or null without ties */
 export function tiesAt({ run, house }, t) {

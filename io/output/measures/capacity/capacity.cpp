@@ -221,6 +221,7 @@ void look_at_mechanism(const Hdf5File& run, Capacity& c) {
   if (frames.frames() == 0) return;
   const Building building = building_of(run);
   c.fallen_before = fallen_before(frames, building);
+  if (c.kind == cases::AnalysisKind::rest && c.fallen_before > 0.0) c.ended = "collapse";
   const auto& times = frames.times();
   const auto next = static_cast<std::uint64_t>(std::ranges::lower_bound(times, c.multiplier_time) - times.begin());
   const std::uint64_t at = std::min(next, frames.frames() - 1);
@@ -230,12 +231,17 @@ void look_at_mechanism(const Hdf5File& run, Capacity& c) {
   if (follows_supports(c.kind)) c.hanging = hanging_walls(run, building, first_poses(frames), poses_of(frames, frames.frames() - 1));
 }
 
+/// Whether something has fallen in a run, however little.
+bool has_fallen(const Hdf5File& run) {
+  return run.has_attribute("/summary", "fallen_mass_fraction") && run.attribute_double("/summary", "fallen_mass_fraction") > 0.0;
+}
+
 /// \param end  s, up to which the run has come: beyond the last row where that is the last state of rest
 const char* why_ended(const Capacity& c, const cases::Analysis& a, bool collapsed, double end) {
   const CapacityCurve& r = c.curve;
   if (r.over.back() == kLost) return "no further state of rest";
   if (r.over.back() == 0.0) return collapsed ? "collapse" : end < a.longest * (1.0 - 1e-3) ? "not yet" : "longest";
-  if (a.kind == cases::AnalysisKind::rest) return "all is on";
+  if (a.kind == cases::AnalysisKind::rest) return collapsed ? "collapse" : "all is on";
   if (a.kind == cases::AnalysisKind::settlement || a.kind == cases::AnalysisKind::cyclic) return "history";
   if (r.factor.back() >= a.largest_factor * (1.0 - 1e-3)) return "largest factor";
   return r.drift.back() >= a.largest_drift * (1.0 - 1e-3) ? "largest drift" : "drop";
@@ -350,7 +356,8 @@ std::optional<Capacity> capacity_figures(const Hdf5File& run) {
   CapacityCurve curve = curve_of(run, a.direction, 1.0 / drive("frequency"));
   if (curve.time.empty()) return {};
   Capacity c = capacity_of(a.kind, a.drop, drive("pace"), drive("weight"), drive("quiet"), std::move(curve));
-  const bool collapsed = run.has_attribute("/summary", "collapsed") && run.attribute_int("/summary", "collapsed") != 0;
+  const bool collapsed = (run.has_attribute("/summary", "collapsed") && run.attribute_int("/summary", "collapsed") != 0) ||
+                         (a.kind == cases::AnalysisKind::rest && has_fallen(run));  // rubble rests, too
   const bool told = run.has_attribute("/summary", "end_time");
   c.ended = why_ended(c, a, collapsed, told ? run.attribute_double("/summary", "end_time") : c.curve.time.back());
   c.control = control_of(run);

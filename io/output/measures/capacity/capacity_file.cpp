@@ -79,7 +79,8 @@ double hanging_length(const Capacity& c) {
 double share_at_rest(const Capacity& c) {
   if (c.ended == "all is on") return 1.0;
   const auto& factor = c.curve.factor;
-  return c.ended == "collapse" && factor.size() > 1 ? factor[factor.size() - 2] : factor.back();
+  if (c.ended != "collapse") return factor.back();
+  return factor.size() > 1 ? factor[factor.size() - 2] : 0.0;
 }
 
 Json hanging_json(const std::vector<HangingWall>& walls) {

@@ -262,6 +262,23 @@ TEST_CASE("the motion of a support that turns has three columns more, zero at fi
   CHECK_THROWS_AS(load("0,0,0,0,0,0,0\n1,0,0,0,0,0,0\n", true), FileError);
 }
 
+TEST_CASE("the way of a load does not turn; ways without a file end with the last file") {
+  const TempFolder folder;
+  folder.write("s.csv", "0,0,0,0,0,0,0\n10,0.1,0,0,0,0,0.1\n");
+  cases::Model m;
+  m.support_motions.emplace_back().file = "s.csv";
+  m.load_path.push_back(0);
+  CHECK_THROWS_AS(io::load_support_motions(m, folder.path()), FileError);
+  m.load_path.clear();
+  m.support_motions.push_back({{0.0, 1.0}, {{}, {0.0, 0.0, -0.01}}});
+  m.support_motions.push_back({{0.0, 1.0}, {{}, {0.0, 0.0, 0.01}}, true});
+  m.blocks.resize(3);
+  for (int i = 0; i < 3; ++i) m.blocks[static_cast<std::size_t>(i)].support_motion = i;
+  io::load_support_motions(m, folder.path());
+  CHECK(m.support_motions[1].time.back() == 10.0);
+  CHECK(m.support_motions[2].time.back() == 1.0);  // a velocity
+}
+
 TEST_CASE("the header of a motion of a support, or of a load, states no other units than s and m, or N") {
   const TempFolder folder;
   const auto load = [&](const std::string& header, bool of_load) {
