@@ -233,13 +233,14 @@ class BasePartMotion(Part):
     """[base.part.motion]: motion of a fixed block, of fixed stones, or of a part of the base: velocity, file, or its end.
 
     velocity, m/s, 3 values: constant velocity; usually 1e-9 to 100, at most 1e5 in magnitude
-    file: CSV of t, x, y, z in s and m, from where the block stands; a first row away from zero is a jump. Three more columns rx, ry, rz turn it: a
-      rotation vector, axis times angle, in rad, zero in the first row. In a settlement t says in which order and proportion supports move, not how
-      fast; not empty
-    to, m, 3 values: settlement and rest: how far it has gone at the end, straight, in place of file; usually 1e-7 to 1, at most 1000 in magnitude
-    turn, degrees, 3 values: settlement and rest: how far it has turned at the end, a rotation vector (axis times angle), beside or in place of to; at
-      most 1e6 in magnitude
-    about, m, 3 values: the point that to, or x, y, z of the file, are of, and about which it turns; none: its centroid; at most 1e9 in magnitude
+    file: CSV of t, x, y, z in s and m, from where the support stands; a first row away from zero is a jump. Three more columns rx, ry, rz turn it: a
+      rotation vector, axis times angle, in rad (turn is in degrees), zero in the first row. In settlement and rest t gives only the order and
+      proportion in which supports move, not how fast; not empty
+    to, m, 3 values: settlement and rest: how far it moves at the end, straight, in place of file; usually 1e-7 to 1, at most 1000 in magnitude
+    turn, degrees, 3 values: settlement and rest: how far it turns at the end, a rotation vector (axis times angle), beside or in place of to; at most
+      1e6 in magnitude
+    about, m, 3 values: point about which the support turns, in axes of the case; to, or x, y, z of the file, move this point. Needs turn, or a file
+      with rx, ry, rz; none: the centroid of the block or stone; at most 1e9 in magnitude
     """
 
     _table: ClassVar[str] = "base.part.motion"
@@ -701,13 +702,14 @@ class BlockMotion(Part):
     """[block.motion]: motion of a fixed block, of fixed stones, or of a part of the base: velocity, file, or its end.
 
     velocity, m/s, 3 values: constant velocity; usually 1e-9 to 100, at most 1e5 in magnitude
-    file: CSV of t, x, y, z in s and m, from where the block stands; a first row away from zero is a jump. Three more columns rx, ry, rz turn it: a
-      rotation vector, axis times angle, in rad, zero in the first row. In a settlement t says in which order and proportion supports move, not how
-      fast; not empty
-    to, m, 3 values: settlement and rest: how far it has gone at the end, straight, in place of file; usually 1e-7 to 1, at most 1000 in magnitude
-    turn, degrees, 3 values: settlement and rest: how far it has turned at the end, a rotation vector (axis times angle), beside or in place of to; at
-      most 1e6 in magnitude
-    about, m, 3 values: the point that to, or x, y, z of the file, are of, and about which it turns; none: its centroid; at most 1e9 in magnitude
+    file: CSV of t, x, y, z in s and m, from where the support stands; a first row away from zero is a jump. Three more columns rx, ry, rz turn it: a
+      rotation vector, axis times angle, in rad (turn is in degrees), zero in the first row. In settlement and rest t gives only the order and
+      proportion in which supports move, not how fast; not empty
+    to, m, 3 values: settlement and rest: how far it moves at the end, straight, in place of file; usually 1e-7 to 1, at most 1000 in magnitude
+    turn, degrees, 3 values: settlement and rest: how far it turns at the end, a rotation vector (axis times angle), beside or in place of to; at most
+      1e6 in magnitude
+    about, m, 3 values: point about which the support turns, in axes of the case; to, or x, y, z of the file, move this point. Needs turn, or a file
+      with rx, ry, rz; none: the centroid of the block or stone; at most 1e9 in magnitude
     """
 
     _table: ClassVar[str] = "block.motion"
@@ -740,13 +742,14 @@ class StonesMotion(Part):
     """[stones.motion]: motion of a fixed block, of fixed stones, or of a part of the base: velocity, file, or its end.
 
     velocity, m/s, 3 values: constant velocity; usually 1e-9 to 100, at most 1e5 in magnitude
-    file: CSV of t, x, y, z in s and m, from where the block stands; a first row away from zero is a jump. Three more columns rx, ry, rz turn it: a
-      rotation vector, axis times angle, in rad, zero in the first row. In a settlement t says in which order and proportion supports move, not how
-      fast; not empty
-    to, m, 3 values: settlement and rest: how far it has gone at the end, straight, in place of file; usually 1e-7 to 1, at most 1000 in magnitude
-    turn, degrees, 3 values: settlement and rest: how far it has turned at the end, a rotation vector (axis times angle), beside or in place of to; at
-      most 1e6 in magnitude
-    about, m, 3 values: the point that to, or x, y, z of the file, are of, and about which it turns; none: its centroid; at most 1e9 in magnitude
+    file: CSV of t, x, y, z in s and m, from where the support stands; a first row away from zero is a jump. Three more columns rx, ry, rz turn it: a
+      rotation vector, axis times angle, in rad (turn is in degrees), zero in the first row. In settlement and rest t gives only the order and
+      proportion in which supports move, not how fast; not empty
+    to, m, 3 values: settlement and rest: how far it moves at the end, straight, in place of file; usually 1e-7 to 1, at most 1000 in magnitude
+    turn, degrees, 3 values: settlement and rest: how far it turns at the end, a rotation vector (axis times angle), beside or in place of to; at most
+      1e6 in magnitude
+    about, m, 3 values: point about which the support turns, in axes of the case; to, or x, y, z of the file, move this point. Needs turn, or a file
+      with rx, ry, rz; none: the centroid of the block or stone; at most 1e9 in magnitude
     """
 
     _table: ClassVar[str] = "stones.motion"
@@ -1006,8 +1009,8 @@ class Analysis(Part):
     """[analysis]: what the run finds out: what an earthquake does, or a capacity by slow loading.
 
     kind: time-history: [motion] shakes; pushover: lateral forces grow; tilt: gravity turns; settlement: supports move by their [block.motion],
-      [stones.motion], or that of a [[base.part]]; cyclic: the loads that grow push to and fro; rest: whether all of it stands: weights, then the
-      loads that grow and the ways of supports, in proportion and up to their end. All but the first go slowly and leave [motion] out; default
+      [stones.motion], or that of a [[base.part]]; cyclic: the loads that grow push to and fro; rest: does it stand? Weights act first, then the loads
+      that grow and the movements of supports increase together to their full values. All but the first go slowly and leave [motion] out; default
       "time-history"
     solver: of all kinds but time-history. equilibrium: each row is a state of rest, found by relaxation, and the run's time counts iterations;
       dynamics: the structure moves slowly, so the result depends on the pace; none: equilibrium, but dynamics where pace or damping is given
