@@ -12,8 +12,9 @@ namespace voussoir::solver {
 
 namespace {
 
-constexpr double kOnTheWay = 0.1;               // of the critical damping
-constexpr double kMostDamping = 1.8;            // α Δt
+constexpr double kOnTheWay = 0.1;      // of the critical damping
+constexpr double kMostDamping = 1.8;   // α Δt
+constexpr double kMostSquare = 1e200;  // rad²/s², of the frequency: at full rest the energy under it underflows, and state is finite
 constexpr std::int64_t kElementsAtATime = 256;  // that a thread takes
 
 Vec3 at(const Array<double>& x, const Array<double>& y, const Array<double>& z, std::size_t i) { return {x[i], y[i], z[i]}; }
@@ -121,7 +122,7 @@ void Relaxation::look(World& w, Vec3 acceleration, bool on_the_way, const Lead& 
   state_.unbalanced = s.most / typical_;
   // The last kick has booked the loss by damping of rotations with their angular velocities before it, not the mean: THEORY.md (27).
   w.elements.tally[static_cast<std::size_t>(kernels::Tally::loss_damping)] += 0.5 * state_.alpha * w.dt * (s.turning - state_.turning);
-  if (s.kinetic > 0.0) state_.frequency = std::sqrt(std::max(0.0, (state_.power - s.power) / (w.dt * s.kinetic)));
+  if (s.kinetic > 0.0) state_.frequency = std::sqrt(std::min(kMostSquare, std::max(0.0, (state_.power - s.power) / (w.dt * s.kinetic))));
   // Critical for it, but where damping would bear a part of the load.
   const double share = on_the_way && !lead.leads() ? kOnTheWay : 1.0;
   const double alpha = share * std::min(2.0 * state_.frequency, kMostDamping / w.dt);

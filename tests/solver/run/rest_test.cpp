@@ -121,3 +121,16 @@ TEST_CASE("rest: loads and ways of supports go on in proportion") {
   CHECK(stopped.moved == o.moved);
   for (std::size_t i = 0; i < o.factor.size(); ++i) CHECK(o.moved[i] == doctest::Approx(0.02 * o.factor[i]).epsilon(1e-6));
 }
+
+TEST_CASE("rest: what has come to full rest can be saved and gone on with") {
+  cases::Case c = two_boxes();
+  c.analysis.tolerance = 1e-15;  // never reached, so that it relaxes on and on
+  const cases::Model m = cases::build_model(c);
+  solver::Simulation sim(c, m, {}, {});
+  solver::choose_drive(sim, c);
+  for (int i = 0; i < 20000; ++i) sim.step({});
+  solver::RunState plan;
+  const solver::SavedState saved = solver::save(sim, plan);
+  solver::Simulation other(c, m, {}, {});
+  CHECK_NOTHROW(solver::restore(other, plan, saved));
+}
