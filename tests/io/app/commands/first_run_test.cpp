@@ -75,7 +75,7 @@ TEST_CASE("a disk that is full before the first checkpoint: the message promises
   CHECK(fuller.code == 3);
   CHECK(says(fuller, {"File too large", "before its first checkpoint", "run the case anew", "--overwrite"}));
   std::filesystem::remove_all(out);
-  const Outcome full = voussoir(words, "ulimit -f 520; ");  // run.h5 fits, no checkpoint does
+  const Outcome full = voussoir(words, "ulimit -f 560; ");  // run.h5 fits, no checkpoint does
   CHECK(full.code == 3);
   CHECK(says(full, {"File too large", "before its first checkpoint", "run the case anew", "--overwrite"}));
   CHECK(is_silent_of(full, "resume"));
