@@ -25,12 +25,10 @@ Vec3 interpolated(const SupportHistory& h, const std::vector<Vec3>& values, doub
 
 Vec3 value_at(const SupportHistory& h, double t) { return interpolated(h, h.displacement, t); }
 
-Vec3 rotation_at(const SupportHistory& h, double t) { return h.rotation.empty() ? Vec3{} : interpolated(h, h.rotation, t); }
-
 SupportPose pose_at(const SupportHistory& h, Vec3 centroid, double t) {
   const Vec3 u = value_at(h, t);
   if (h.rotation.empty()) return {u, {}};
-  const Quaternion q = geometry::quaternion_of(rotation_at(h, t));
+  const Quaternion q = geometry::quaternion_of(interpolated(h, h.rotation, t));
   return {u + rotation_minus_identity(q) * (centroid - h.about.value_or(centroid)), q};
 }
 

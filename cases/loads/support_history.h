@@ -25,8 +25,6 @@ struct SupportHistory {
 
 /// Value of a history at a time [s]. \pre its file has been read
 Vec3 value_at(const SupportHistory& h, double t);
-/// Rotation vector of a support at a time [rad]; zero where it does not turn. \pre its file has been read
-Vec3 rotation_at(const SupportHistory& h, double t);
 
 /// Where a support is: displacement of its centroid [m] and orientation.
 struct SupportPose {
