@@ -81,9 +81,39 @@ class Jobs(InAFolder):
         self.python("job = fixture.blocks().start(folder, until=LONG, threads=1)")
         self.assertEqual(voussoir.Run(self.folder / "run").state, "stopped")
 
+    def test_the_end_of_python_stops_a_run_that_is_silent(self):
+        program, log = self.folder / "silent", self.folder / "log"
+        line = '{"kind": "progress", "time": 1.0, "settling": false, "steps_per_second": 1.0, "broken": 0, "residual": 0.0, "text": "1 s"}'
+        program.write_text(f"#!/bin/sh\ntrap 'echo saved >{log}; exit 143' TERM\necho '{line}' >&2\nsleep 60 &\nwait\n")
+        program.chmod(0o755)
+        self.python(f"os.environ['VOUSSOIR'] = {str(program)!r}\njob = voussoir.jobs.Job(folder, lambda look: voussoir.commands.watch('run', progress=look))")
+        self.assertEqual(log.read_text(), "saved\n")
+
+    def test_an_interrupted_study_stops_its_runs_and_goes_on(self):
+        blocks(LONG).write(self.folder / "blocks.toml")
+        study, out = self.folder / "two.toml", self.folder / "out"
+        study.write_text('title = "Two"\ncases = ["blocks.toml"]\nscales = [0.5, 1.0]\n')
+        done = self.python(f"""
+            def interrupt():
+                while not list(pathlib.Path({str(out)!r}).rglob("program.log")):
+                    time.sleep(0.05)
+                time.sleep(0.5)
+                os.kill(os.getpid(), signal.SIGINT)
+            threading.Thread(target=interrupt).start()
+            try:
+                voussoir.study({str(study)!r}, {str(out)!r}, cores=1)
+            except voussoir.Stopped as error:
+                print(error)
+        """)
+        self.assertIn("the study was stopped; its runs are saved, and the same call goes on", done)
+        self.assertEqual(subprocess.run(["pgrep", "-f", str(out)], capture_output=True, text=True, check=False).stdout, "")
+        self.assertFalse(voussoir.study(study, out, table=True).finished)
+        table = voussoir.study(study, out, cores=1)
+        self.assertEqual((table.finished, [row["status"] for row in table]), (True, ["done", "done"]))
+
     def python(self, code):
         """What another Python prints that does this."""
-        head = f"import os, signal, sys, threading, time\nsys.path[:0] = [{str(HERE)!r}, {str(HERE.parent)!r}]\nimport voussoir, fixture\n"
+        head = f"import os, pathlib, signal, sys, threading, time\nsys.path[:0] = [{str(HERE)!r}, {str(HERE.parent)!r}]\nimport voussoir, fixture\nimport voussoir.jobs\n"
         names = f"folder, LONG = {str(self.folder / 'run')!r}, {LONG}\n"
         done = subprocess.run([sys.executable, "-c", head + names + textwrap.dedent(code)], capture_output=True, text=True, check=False, timeout=120,
                               preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler))  # it may be ignored, and is inherited

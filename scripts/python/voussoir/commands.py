@@ -5,6 +5,7 @@
 Calls share nothing: two of them may be at work at a time, in two threads.
 """
 
+import contextlib
 import json
 import os
 import pathlib
@@ -53,15 +54,21 @@ def watch(*words: Word, progress: bool | Callable[[Progress], None] = True) -> s
     """As `call`, for commands that take long: shows their progress.
 
     progress: True writes a line to sys.stderr, which is overwritten; a function is called with a Progress, five times a second; False: neither.
-    Ctrl-C asks the program to save and stop, waits for it, and raises Stopped. The program runs in a separate session, so that
-    a Ctrl-C in a terminal reaches it only once, by way of Python.
+    Ctrl-C asks the program, and what it has started, to save and stop, waits for it, and raises Stopped. The program runs in a separate session,
+    so that a Ctrl-C in a terminal reaches it only once, by way of Python.
     """
+    return watched(*words, progress=progress)[0]
+
+
+def watched(*words: Word, progress: bool | Callable[[Progress], None] = True, codes: tuple[int, ...] = (0,)) -> tuple[str, int]:
+    """As `watch`; returns also the exit code. codes: those that are no failure."""
     command = _command(words)
     try:
         child = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, encoding="utf-8",
                                  errors="replace", start_new_session=True)
     except OSError as error:
         raise _not_found(command[0], error) from error
+    _at_work.add(child)
     shown, out = _Shown(child, progress), list[str]()
     ends = [_in_background(shown.read), _in_background(lambda: out.append(child.stdout.read() if child.stdout else ""))]
     interrupted = False
@@ -73,26 +80,41 @@ def watch(*words: Word, progress: bool | Callable[[Progress], None] = True) -> s
             break
         except KeyboardInterrupt:
             if interrupted:  # the second time: at once
-                child.kill()
+                _signal(child, signal.SIGKILL)
                 raise
             interrupted = True
-            child.send_signal(signal.SIGINT)
+            _signal(child, signal.SIGINT)
     for pipe in (child.stdout, child.stderr):
         if pipe:
             pipe.close()
+    _at_work.discard(child)
     said = shown.said
-    if code not in (0, 128 + signal.SIGINT, 128 + signal.SIGTERM):
+    if code not in (*codes, 128 + signal.SIGINT, 128 + signal.SIGTERM):
         raise error_of(code, said.faults, said.others, said.remarks) from shown.failed
     said.warn()
     if shown.failed:
         raise shown.failed
     if code in (128 + signal.SIGINT, 128 + signal.SIGTERM):
         raise _stopped(said)
-    if code != 0:
-        raise error_of(code, said.faults, said.others, said.remarks)
     if interrupted:  # it came to its end meanwhile
         raise KeyboardInterrupt
-    return "".join(out)
+    return "".join(out), code
+
+
+_at_work: set["subprocess.Popen[str]"] = set()  # programs that are watched
+
+
+def stop_all() -> None:
+    """Asks all programs that are watched to save and stop, and does not wait for them."""
+    for child in tuple(_at_work):
+        _signal(child, signal.SIGTERM)
+
+
+def _signal(child: "subprocess.Popen[str]", number: int) -> None:
+    """Sends it to a program and to what this has started, as a terminal does."""
+    if child.poll() is None:
+        with contextlib.suppress(ProcessLookupError):  # it has ended meanwhile
+            os.killpg(child.pid, number)
 
 
 def _in_background(work: Callable[[], None]) -> threading.Event:
@@ -130,7 +152,7 @@ class _Shown:
                 self._progress(state)
             except BaseException as error:  # told to the caller of `watch`; the run is stopped as by Ctrl-C
                 self.failed = error
-                self._child.send_signal(signal.SIGINT)
+                _signal(self._child, signal.SIGINT)
         elif self._progress:
             try:
                 sys.stderr.write(f"\r{state.text}\x1b[K")

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from . import bars, commands
 from .answers import Assessed, Checked, Compared, Limit, Mode, Modes, MotionFigures, StudyTable, made
 from .commands import Word
-from .errors import error_of
+from .errors import Stopped, error_of
 from .messages import Progress
 
 if TYPE_CHECKING:
@@ -133,16 +133,24 @@ def study(file: Path, folder: Path | None = None, *, cores: int | None = None, c
     Study.
 
     folder: default results/NAME. cores: to use (default all). check: reads the file and tries its cases, runs nothing. table: the table of what is there so
-    far. known: tables with runs that need not be made again.
+    far. known: tables with runs that need not be made again. Ctrl-C saves and stops all runs at work: Stopped; the same call goes on.
     """
     to = pathlib.Path(folder or pathlib.Path("results") / pathlib.Path(file).stem)
     words = ["-o", to, *_option("--cores", cores), *_flag("--check", check), *_flag("--table", table)]
-    code = commands.told("study", file, *words, *(word for one in known for word in ("--known", one)), codes=(0, 1))[1]
+    try:
+        code = commands.watched("study", file, *words, *(word for one in known for word in ("--known", one)), progress=False, codes=(0, 1))[1]
+    except KeyboardInterrupt as interrupt:
+        raise Stopped("the study was stopped; its runs are saved, and the same call goes on") from interrupt
     rows: tuple[dict[str, str], ...] = ()
     if (to / "table.csv").exists() and not check:
         with open(to / "table.csv", newline="", encoding="utf-8") as lines:
             rows = tuple(csv.DictReader(line for line in lines if not line.startswith("#")))
-    return StudyTable(to, code == 0, rows)
+    return StudyTable(to, code == 0 and not _unfinished(rows), rows)
+
+
+def _unfinished(rows: Sequence[dict[str, str]]) -> list[str]:
+    """Names of runs of a study that have not ended."""
+    return [row["run"] for row in rows if row["status"] not in ("done", "numerical failure")]
 
 
 def motion(*files: Path, spectra: Path | None = None, write: Path | None = None, damping: float | None = None, until: float | None = None,

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from .bars import Bar
-from .commands import Progress
+from .commands import Progress, stop_all
 from .errors import Stopped
 
 if TYPE_CHECKING:
@@ -123,5 +123,6 @@ _jobs: "weakref.WeakSet[Job]" = weakref.WeakSet()
 def _stop_all() -> None:
     for job in list(_jobs):
         job._stop = True
+    stop_all()  # now, not with their next progress, which may be late
     for job in list(_jobs):
         job._end(_AT_EXIT)
