@@ -67,7 +67,7 @@ void RuleCheck::fault(const std::string& key, const std::string& problem) const 
 void RuleCheck::doubt(const std::string& key, const std::string& problem) const { reading.doubt(at(key, problem)); }
 
 void Lines::header(const Header& at, const std::string& sentence) {
-  if (tables != nullptr) return static_cast<void>(tables->emplace_back(at, sentence));
+  if (tables != nullptr) return static_cast<void>(tables->push_back({at, sentence}));
   if (markdown) {
     out += markdown_header(at, sentence);
     return;
