@@ -70,12 +70,18 @@ void put_bodies(Scripts& out, const Hdf5File& file, const FrameReader& reader) {
   }
 }
 
-/// Adds where ties begin and end; omitted for a model without.
+/// Adds where ties, and bars of decks and meshes, begin and end; omitted for a model without.
 void put_ties(Scripts& out, const Hdf5File& file) {
-  if (!file.exists("/model/tie_ends") || file.shape("/model/tie_ends")[0] == 0) return;
-  out.put("tie-ends", file.read<float>("/model/tie_ends"));
-  out.put("tie-elements", file.read<std::int32_t>("/model/tie_element"));
-  out.put("tie-lives", tie_ends_of_life(file));
+  if (file.exists("/model/tie_ends") && file.shape("/model/tie_ends")[0] > 0) {
+    out.put("tie-ends", file.read<float>("/model/tie_ends"));
+    out.put("tie-elements", file.read<std::int32_t>("/model/tie_element"));
+    out.put("tie-lives", tie_ends_of_life(file));
+  }
+  if (file.exists("/model/mesh_bar_ends") && file.shape("/model/mesh_bar_ends")[0] > 0) {
+    out.put("mesh-bar-ends", file.read<float>("/model/mesh_bar_ends"));
+    out.put("mesh-bar-elements", file.read<std::int32_t>("/model/mesh_bar_element"));
+    out.put("mesh-bar-breaking", file.read<float>("/model/mesh_bar_breaking"));
+  }
 }
 
 /// Adds the cracks at the end and their maps; omitted for a run whose case this program cannot read.

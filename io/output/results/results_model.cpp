@@ -22,14 +22,14 @@ namespace voussoir::io {
 namespace {
 
 template <class T>
-StaticDataset dataset(const char* name, const std::vector<T>& values, std::uint64_t width, const char* unit, const char* description) {
+StaticDataset dataset(std::string name, const std::vector<T>& values, std::uint64_t width, const char* unit, std::string description) {
   StaticDataset d;
-  d.name = name;
+  d.name = std::move(name);
   d.type = Hdf5TypeOf<T>::value;
   d.shape = width == 1 ? Shape{values.size()} : Shape{values.size() / width, width};
   d.bytes.resize(values.size() * sizeof(T));
   if (!values.empty()) std::memcpy(d.bytes.data(), values.data(), d.bytes.size());
-  d.note = {unit, description};
+  d.note = {unit, std::move(description)};
   return d;
 }
 
@@ -213,40 +213,62 @@ void add_materials(const cases::Model& model, Datasets& out) {
   own("/model/law/maximum_closure", &cases::JointLaw::maximum_closure, "m", "most that a dry joint closes; 0: its stiffness is one number");
 }
 
-/// Adds separate ties, not those of meshes; nothing for a model without ties.
-void add_ties(const cases::Model& m, Datasets& out) {
-  std::vector<std::string> names;
-  std::vector<double> ends, strengths;
-  std::vector<std::int32_t> elements;
-  for (const cases::TieBar& bar : m.ties) {
-    if (bar.mesh >= 0) break;
-    names.push_back(bar.name);
-    strengths.push_back(std::isfinite(bar.yield) ? bar.yield : std::numeric_limits<double>::quiet_NaN());
+/// Where bars of ties begin and end, and what holds them.
+class BarEnds {
+ public:
+  void add(const cases::TieBar& bar) {
     for (const auto& end : bar.ends) {
       Vec3 at;
       for (const cases::TieHold& h : end) at += h.share * h.point;
-      append(ends, at);
-      elements.push_back(std::ranges::max_element(end, {}, &cases::TieHold::share)->element);
+      append(ends_, at);
+      elements_.push_back(std::ranges::max_element(end, {}, &cases::TieHold::share)->element);
     }
+  }
+  void put(const std::string& name, const std::string& of, Datasets& out) const {
+    out.push_back(dataset(name + "_ends", ends_, 6, "m", "where each " + of + " begins and ends at the start: x, y, z of both ends"));
+    out.push_back(dataset(name + "_element", elements_, 2, "1", "what holds most of each end: an element, or -1, the base"));
+  }
+
+ private:
+  std::vector<double> ends_;
+  std::vector<std::int32_t> elements_;
+};
+
+double or_nan(double limit) { return std::isfinite(limit) ? limit : std::numeric_limits<double>::quiet_NaN(); }
+
+/// Adds separate ties, not those of meshes; nothing for a model without ties.
+void add_ties(const cases::Model& m, Datasets& out) {
+  std::vector<std::string> names;
+  std::vector<double> strengths;
+  BarEnds ends;
+  for (const cases::TieBar& bar : m.ties) {
+    if (bar.mesh >= 0) break;
+    names.push_back(bar.name);
+    strengths.push_back(or_nan(bar.yield));
+    ends.add(bar);
   }
   if (names.empty()) return;
   out.push_back(texts("/model/tie", std::move(names), "names of the ties"));
-  out.push_back(dataset("/model/tie_ends", ends, 6, "m", "where each tie begins and ends at the start: x, y, z of both ends"));
-  out.push_back(dataset("/model/tie_element", elements, 2, "1", "what holds most of each end: an element, or -1, the base"));
+  ends.put("/model/tie", "tie", out);
   out.push_back(dataset("/model/tie_strength", strengths, 1, "N", "force at which each tie yields; NaN: it is elastic"));
 }
 
-/// Adds the names of decks and meshes; nothing for a model without.
+/// Adds the names and bars of decks and meshes; nothing for a model without.
 void add_meshes(const cases::Model& m, Datasets& out) {
   std::vector<std::string> names;
   std::vector<std::int64_t> bars;
+  std::vector<double> breaking;
+  BarEnds ends;
   for (const cases::TieGroup& g : cases::tie_groups(m)) {
     names.push_back(g.name);
     bars.push_back(static_cast<std::int64_t>(g.last - g.first));
+    for (const cases::TieBar& bar : std::span(m.ties).subspan(g.first, g.last - g.first)) ends.add(bar), breaking.push_back(or_nan(bar.breaking));
   }
   if (names.empty()) return;
   out.push_back(texts("/model/mesh", std::move(names), "names of decks and meshes"));
   out.push_back(dataset("/model/mesh_bars", bars, 1, "1", "number of the bars of each deck and mesh"));
+  ends.put("/model/mesh_bar", "bar of decks and meshes, in their order,", out);
+  out.push_back(dataset("/model/mesh_bar_breaking", breaking, 1, "m", "elongation at which each bar breaks; NaN: never"));
 }
 
 /// Rows of /loads.

@@ -30,8 +30,9 @@ class Rule:
 
 
 _E, _V, _F, _C, _J = "/model/element/mass", "/model/vertex", "/model/face/element", "/model/face/corners", "/model/joint/area"
-_M, _L, _CELLS, _FRAMES, _CRACKS, _TIES, _MESHES, _LOADS = ("/model/material/density", "/model/law/tension", "/model/cell_type", "/frames/time",
-                                                    "/cracks/time", "/model/tie", "/model/mesh", "/loads/element")
+_M, _L, _CELLS, _FRAMES, _CRACKS, _TIES, _MESHES, _BARS, _LOADS = ("/model/material/density", "/model/law/tension", "/model/cell_type", "/frames/time",
+                                                    "/cracks/time", "/model/tie", "/model/mesh", "/model/mesh_bar_breaking",
+                                                    "/loads/element")
 
 # By name; that of a group, with "/" at its end, is of each dataset in it that has no rule of its own. The first that fits.
 _RULES = {
@@ -69,6 +70,9 @@ _RULES = {
     "/model/tie_element": Rule((_TIES, "2"), "index", _E, -1),
     "/model/tie_strength": Rule((_TIES,), "any"),
     "/model/mesh_bars": Rule((_MESHES,), "positive"),
+    "/model/mesh_bar_ends": Rule((_BARS, "6")),
+    "/model/mesh_bar_element": Rule((_BARS, "2"), "index", _E, -1),
+    "/model/mesh_bar_breaking": Rule((_BARS,), "any"),
     "/frames/time": Rule((_FRAMES,), "time"),
     "/frames/displacement": Rule((_FRAMES, _E, "3")),
     "/frames/position": Rule((_FRAMES, _E, "3")),

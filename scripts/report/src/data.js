@@ -151,6 +151,7 @@ export async function loadRun(prefix = "") {
   if (model) Object.assign(run, { model: JSON.parse(model.textContent), fixed: new Uint8Array(await get("fixed")), lawOf: new Uint8Array(await get("joint-laws")), lawEnds: new Float32Array(await get("joint-ends")) });
   if (document.getElementById(`${prefix}loads`)) run.loads = JSON.parse(new TextDecoder().decode(await get("loads")));
   if (document.getElementById(`${prefix}tie-ends`)) run.ties = { ends: new Float32Array(await get("tie-ends")), elements: new Int32Array(await get("tie-elements")), lives: new Float32Array(await get("tie-lives")) };
+  if (document.getElementById(`${prefix}mesh-bar-ends`)) run.bars = { ends: new Float32Array(await get("mesh-bar-ends")), elements: new Int32Array(await get("mesh-bar-elements")), breaking: new Float32Array(await get("mesh-bar-breaking")) };
   if (document.getElementById(`${prefix}crack-list`)) run.crackList = JSON.parse(new TextDecoder().decode(await get("crack-list")));
   const bodies = document.getElementById(`${prefix}bodies`);
   if (bodies && !facts.model) run.frames.bodies = new Bodies(JSON.parse(bodies.textContent), new Uint8Array(await get("body-ids")), run.frames.n);

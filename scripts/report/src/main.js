@@ -89,7 +89,7 @@ class Report {
       this.modes = this.runs.length === 1 ? this.run.modes : undefined;
       this.modes?.names().forEach((name, i) => by("mode").add(new Option(name, i)));
       by("mode").parentElement.hidden = !this.modes;
-      by("ties").parentElement.hidden = !this.runs.some((run) => run.ties);
+      by("ties").parentElement.hidden = !this.runs.some((run) => run.ties || run.bars);
       by("shake").parentElement.hidden = !this.runs.some((run) => run.facts.ground?.length > 0);
       if (this.run.frames.bodies) by("colour").add(new Option("bodies that move as one", "bodies"));
       if (this.run.model) {

@@ -137,11 +137,16 @@ function loadArrows(c, loads, camera, width, height, u, ink) {
   }
 }
 
-/** Ties as lines that are seen through walls; the thinner the more there are. */
-function tieLines(c, ties, camera, width, height, ink) {
-  c.strokeStyle = ink.tie, c.lineWidth = ties.length > 100 ? 1 : 2.5;
+/** Ties, and the bars of decks and meshes, as lines that are seen through walls; the thinner the more there are. */
+function tieLines(c, { rods, bars }, camera, width, height, ink) {
+  barLines(c, bars, 0.7, camera, width, height, ink);
+  barLines(c, rods, rods.length > 100 ? 1 : 2.5, camera, width, height, ink);
+}
+
+function barLines(c, bars, thick, camera, width, height, ink) {
+  c.strokeStyle = ink.tie, c.lineWidth = thick;
   c.beginPath();
-  for (const pair of ties) {
+  for (const pair of bars) {
     const ends = pair.map((p) => seen(new Vector3(...p), camera, width, height));
     if (ends.some((p) => !p)) continue;
     markLine(c, ...ends, 3);

@@ -9,7 +9,7 @@ constexpr std::string_view kElements = "/model/element/mass", kVertices = "/mode
                            kCorners = "/model/face/corners", kJoints = "/model/joint/area", kMaterials = "/model/material/density",
                            kLaws = "/model/law/tension", kCells = "/model/cell_type", kFrames = "/frames/time", kCracks = "/cracks/time",
                            kWalls = "/summary/wall/name", kTies = "/model/tie", kMeshes = "/model/mesh", kLoads = "/loads/element",
-                           kTieGroups = "/summary/tie/name";
+                           kMeshBars = "/model/mesh_bar_breaking", kTieGroups = "/summary/tie/name";
 
 std::vector<ValueRule> rules_of_model() {
   using enum Values;
@@ -46,7 +46,10 @@ std::vector<ValueRule> rules_of_model() {
           {"/model/tie_ends", {kTies, "6"}},
           {"/model/tie_element", {kTies, "2"}, index, kElements, -1},
           {"/model/tie_strength", {kTies}, any},
-          {"/model/mesh_bars", {kMeshes}, positive}};
+          {"/model/mesh_bars", {kMeshes}, positive},
+          {"/model/mesh_bar_ends", {kMeshBars, "6"}},
+          {"/model/mesh_bar_element", {kMeshBars, "2"}, index, kElements, -1},
+          {"/model/mesh_bar_breaking", {kMeshBars}, any}};
 }
 
 std::vector<ValueRule> rules_of_rows() {
