@@ -3,6 +3,7 @@
 #include "solver/limit/balance.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "geometry/nth.h"
 
@@ -28,6 +29,7 @@ Balance::Balance(const LimitContacts& contacts, const LimitForces& forces, const
   live_scale_ = forces.weight / sum_of(forces.live, length_);
   put(forces.dead, 1.0, dead_);
   put(forces.live, live_scale_, live_);
+  take_ties();
   if (plane) {
     take_points_of_plane(*plane);
     return;
@@ -43,6 +45,19 @@ void Balance::put(const BodyForces& forces, double scale, std::vector<double>& r
   for (std::size_t b = 0; b < contacts_.bodies.size(); ++b)
     on_body(static_cast<std::int32_t>(b), (scale / unit_) * forces.force[b], (scale / (unit_ * length_)) * forces.moment[b],
             [&](std::size_t row, double value) { rows[row] = value; });
+}
+
+void Balance::take_ties() {
+  for (std::size_t k = 0; k < contacts_.ties.size(); ++k) {
+    const LimitTie& tie = contacts_.ties[k];
+    for (const double sign : {1.0, -1.0}) {
+      const double most = sign > 0.0 ? tie.most : -tie.least;
+      if (!(most > 0.0)) continue;
+      std::vector<TiePull> pulls = pulls_of(tie, contacts_);
+      for (TiePull& p : pulls) p.force = sign * p.force, p.moment = sign * p.moment;
+      ties_.push_back({k, sign, most / unit_, std::move(pulls)});
+    }
+  }
 }
 
 Vec3 Balance::speed(std::int32_t body, Vec3 at, const std::vector<kernels::Twist>& motion) const {
@@ -72,10 +87,11 @@ std::vector<kernels::Twist> Balance::motion(const std::vector<double>& prices) c
   return out;
 }
 
-std::vector<Vec3> Balance::forces(const std::vector<Vec3>& at_points) const {
-  std::vector<Vec3> all(contacts_.points.size());
+ModelForces Balance::forces(const std::vector<Vec3>& at_points, const std::vector<double>& of_ties) const {
+  ModelForces all{std::vector<Vec3>(contacts_.points.size()), std::vector<double>(contacts_.ties.size(), 0.0)};
   for (std::size_t i = 0; i < points_.size(); ++i)
-    for (std::size_t k = 0; k < 2; ++k) all[points_[i].of[k]] += (unit_ * points_[i].share[k]) * at_points[i];
+    for (std::size_t k = 0; k < 2; ++k) all.at_points[points_[i].of[k]] += (unit_ * points_[i].share[k]) * at_points[i];
+  for (std::size_t k = 0; k < ties_.size(); ++k) all.of_ties[ties_[k].of] += ties_[k].sign * unit_ * of_ties[k];
   return all;
 }
 

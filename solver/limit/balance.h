@@ -26,7 +26,7 @@ struct LimitPlane {
   double middle = 0.0;     // m, along `across`
 };
 
-/// The plane of a model, if it has one.
+/// The plane of a model, if it has one; none where there are ties.
 std::optional<LimitPlane> plane_of(const LimitContacts& contacts, const LimitForces& forces, Vec3 direction);
 
 /// A contact point of the programme. In a plane it represents two points of the model, with these shares of its force.
@@ -36,6 +36,20 @@ struct BalancePoint {
   double friction = 0.0;
   std::array<std::size_t, 2> of{};  // indices into LimitContacts::points
   std::array<double, 2> share{1.0, 0.0};
+};
+
+/// One way in which a tie bears: its tension, or its compression.
+struct BalanceTie {
+  std::size_t of = 0;      // index into LimitContacts::ties
+  double sign = 1.0;       // −1: compression
+  double most = 0.0;       // mean weights; infinite: no limit
+  std::vector<TiePull> pulls;  // per mean weight of its force
+};
+
+/// Forces on the model.
+struct ModelForces {
+  std::vector<Vec3> at_points;  // N, on body a, at each of LimitContacts::points
+  std::vector<double> of_ties;  // N, tension, of each of LimitContacts::ties
 };
 
 class Balance {
@@ -48,6 +62,7 @@ class Balance {
   /// Factor from the multiplier of live() to that of LimitForces::live.
   [[nodiscard]] double live_scale() const noexcept { return live_scale_; }
   [[nodiscard]] const std::vector<BalancePoint>& points() const noexcept { return points_; }
+  [[nodiscard]] const std::vector<BalanceTie>& ties() const noexcept { return ties_; }
   [[nodiscard]] double unit() const noexcept { return unit_; }  // N
 
   /// Calls take(row, value) for each equation that contains a force on body a of a point, and the opposite force on b.
@@ -56,12 +71,21 @@ class Balance {
     on_body(p.a, force_on_a, cross(p.at - centre(p.a), force_on_a) / length_, take);
     if (p.b >= 0) on_body(p.b, -force_on_a, -cross(p.at - centre(p.b), force_on_a) / length_, take);
   }
+  /// Calls take(row, value) for each equation that contains the force of a tie.
+  template <class Take>
+  void at_tie(const BalanceTie& t, const Take& take) const {
+    for (const TiePull& p : t.pulls) on_body(p.body, p.force, p.moment / length_, take);
+  }
   /// Velocities of bodies, proportional to the prices of the equations; the fastest contact point or centre has the speed 1.
   [[nodiscard]] std::vector<kernels::Twist> motion(const std::vector<double>& prices) const;
   /// Velocity of b relative to a at a point.
   [[nodiscard]] Vec3 against(const BalancePoint& p, const std::vector<kernels::Twist>& motion) const;
-  /// Forces on body a at each of LimitContacts::points [N], from those at points() in mean weights.
-  [[nodiscard]] std::vector<Vec3> forces(const std::vector<Vec3>& at_points) const;
+  /// Speed at which a tie gives way: gets longer, or shorter in compression.
+  [[nodiscard]] double giving(const BalanceTie& t, const std::vector<kernels::Twist>& motion) const {
+    return t.sign * stretching(contacts_.ties[t.of], contacts_, motion);
+  }
+  /// Forces on the model from those at points() and of ties(), in mean weights.
+  [[nodiscard]] ModelForces forces(const std::vector<Vec3>& at_points, const std::vector<double>& of_ties) const;
 
  private:
   static constexpr std::size_t kMostRows = 6;
@@ -79,6 +103,7 @@ class Balance {
   [[nodiscard]] Vec3 speed(std::int32_t body, Vec3 at, const std::vector<kernels::Twist>& motion) const;
   void put(const BodyForces& forces, double scale, std::vector<double>& rows) const;
   void take_points_of_plane(const LimitPlane& plane);
+  void take_ties();
 
   const LimitContacts& contacts_;
   std::array<Vec3, kMostRows> axes_{};  // axes of the equations of a body: forces, then moments
@@ -86,6 +111,7 @@ class Balance {
   double unit_ = 1.0, length_ = 1.0, live_scale_ = 1.0;  // N, m, -
   std::vector<double> dead_, live_;
   std::vector<BalancePoint> points_;
+  std::vector<BalanceTie> ties_;
 };
 
 }  // namespace voussoir::solver

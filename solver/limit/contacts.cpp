@@ -101,6 +101,7 @@ LimitContacts limit_contacts(const cases::Model& model, Vec3 live) {
     for (const Vec3 at : points_of(joint))
       out.points.push_back({static_cast<std::int32_t>(j), a, b, at, normal, axes.first, axes.second, limit_friction(model, j)});
   }
+  out.ties = limit_ties(model, out.body_of);
   return out;
 }
 

@@ -8,8 +8,9 @@
 #include "cases/forward.h"
 #include "geometry/assembly.h"
 #include "geometry/vec3.h"
+#include "solver/limit/limit_ties.h"
 
-/// The model of limit analysis: rigid bodies, and the points at which they touch.
+/// The model of limit analysis: rigid bodies, the points at which they touch, and the ties that hold them.
 namespace voussoir::solver {
 
 /// Elements that move as one rigid body: one element, all elements of one timber member (whose bonds hold), or the pieces of one stone
@@ -34,6 +35,7 @@ struct LimitContacts {
   std::vector<RigidBody> bodies;      // those that can move
   std::vector<std::int32_t> body_of;  // by element; −1: fixed
   std::vector<LimitPoint> points;
+  std::vector<LimitTie> ties;
   std::int32_t bonded = 0;  // number of joints with tension or cohesion, which are ignored
 };
 

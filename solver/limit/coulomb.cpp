@@ -25,13 +25,8 @@ ProgrammeForces mean(const ProgrammeForces& a, const ProgrammeForces& b, double 
     out.compression[i] += of_b * (b.compression[i] - a.compression[i]);
     out.shear[i] += of_b * (b.shear[i] - a.shear[i]);
   }
+  for (std::size_t k = 0; k < out.ties.size(); ++k) out.ties[k] += of_b * (b.ties[k] - a.ties[k]);
   return out;
-}
-
-std::vector<Vec3> on_a(const Balance& balance, const ProgrammeForces& f) {
-  std::vector<Vec3> all(f.shear.size());
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = f.shear[i] - f.compression[i] * balance.points()[i].normal;
-  return all;
 }
 
 }  // namespace
@@ -88,7 +83,8 @@ bool CoulombSearch::search(LimitState& out) {
     const ProgrammeSolution moving = programmes_.solve_yield(limit, std::vector<double>(limit.size(), 0.0));
     if (moving.outcome != LpOutcome::solved) return false;
     took(out, moving.factor);
-    const auto resisting = programmes_.solve_cheapest([&](std::size_t i, std::size_t corner) { return cost(moving.motion, i, corner); });
+    const auto resisting = programmes_.solve_cheapest([&](std::size_t i, std::size_t corner) { return cost(moving.motion, i, corner); },
+                                                      [&](std::size_t tie) { return tie_cost(moving.motion, tie); });
     if (resisting.outcome != LpOutcome::solved) return false;
     took(out, resisting.factor);
     if (prove(moving, resisting, out)) return true;
@@ -108,6 +104,13 @@ double CoulombSearch::cost(const std::vector<kernels::Twist>& motion, std::size_
   return missed > kStill ? missed : 0.0;
 }
 
+/// The power that a unit of a tie's force takes where the tie gets slack, and that a unit less than its yield force misses where it gives
+/// way.
+TieCost CoulombSearch::tie_cost(const std::vector<kernels::Twist>& motion, std::size_t tie) const {
+  const double giving = balance_.giving(balance_.ties()[tie], motion);
+  return {giving < -kStill ? -giving : 0.0, giving > kStill ? giving : 0.0};
+}
+
 /// Of the forces that let this motion go on those of the multiplier found with it, or of the one nearest to that. Where none do, exactly,
 /// those that miss least.
 bool CoulombSearch::prove(const ProgrammeSolution& moving, const ProgrammeSolution& resisting, LimitState& out) {
@@ -115,7 +118,8 @@ bool CoulombSearch::prove(const ProgrammeSolution& moving, const ProgrammeSoluti
   ProgrammeForces forces = resisting.forces;
   double low = resisting.factor, high = low, factor = low;
   if (resisting.missed < kExact) {
-    ConeProgramme p{balance_.live(), balance_.dead(), LpGoal::least, kLpBound, allowed};
+    const auto tie_costs = [&](std::size_t tie) { return tie_cost(moving.motion, tie); };
+    ConeProgramme p{balance_.live(), balance_.dead(), LpGoal::least, kLpBound, allowed, {.yielding = true, .costs = tie_costs, .cost_row = {}}};
     for (double& r : p.right) r = -r;
     const ProgrammeSolution least = programmes_.solve(p);
     p.goal = LpGoal::most;
@@ -126,17 +130,18 @@ bool CoulombSearch::prove(const ProgrammeSolution& moving, const ProgrammeSoluti
     }
   }
   const double scale = balance_.live_scale();
-  const std::vector<Vec3> on_model = balance_.forces(on_a(balance_, forces));
+  const ModelForces on_model = forces_on_model(balance_, forces);
   LimitProof proof;
   proof.lower = scale * low, proof.upper = scale * high;
   proof.forces = model_.check_forces(on_model, 1.0, scale * factor);
   proof.motion = model_.check_motion(moving.motion);
   proof.lost_power = model_.lost_power(on_model, moving.motion);
   proof.holds = proof.forces.worst() <= LimitProof::kForces && proof.motion.overlap <= LimitProof::kMotion &&
-                proof.motion.live_power > 0.0 &&
+                proof.motion.stretch <= LimitProof::kMotion && proof.motion.live_power > 0.0 &&
                 proof.lost_power <= LimitProof::kLost * std::max(scale * factor, LimitProof::kLeast * scale);
   out.multiplier = scale * factor;
   out.motion = moving.motion;
+  out.ties = on_model.of_ties;
   out.proof = proof;
   return proof.holds;
 }

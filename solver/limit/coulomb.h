@@ -28,6 +28,7 @@ class CoulombSearch {
   /// Searches from the last forces by pairs of programmes: a motion, then forces for it. \return whether the proof is valid
   bool search(LimitState& out);
   [[nodiscard]] double cost(const std::vector<kernels::Twist>& motion, std::size_t point, std::size_t corner) const;
+  [[nodiscard]] TieCost tie_cost(const std::vector<kernels::Twist>& motion, std::size_t tie) const;
   /// Checks a motion with the forces for it, and stores the state if proven. \return whether the proof is valid
   bool prove(const ProgrammeSolution& moving, const ProgrammeSolution& resisting, LimitState& out);
   void took(LimitState& out, double factor) const;

@@ -17,6 +17,7 @@
 namespace voussoir::solver {
 namespace {
 
+constexpr double kBears = 1e-6;  // of the moving weight: a tie that bears less bears nothing
 constexpr std::size_t kMostParts = 24;  // more are no mechanism that one can draw, and take long
 constexpr double kAtRest = 1e-3;        // of the fastest point: relative speed of a point on a hinge
 constexpr double kRank = 3e-3;          // relative singular value below which a hinge holds nothing
@@ -261,6 +262,12 @@ KinematicCurve kinematic_curve(const cases::Case& c, const cases::Model& model, 
   out.control = parts[control].centre;
   out.sliding = static_cast<std::size_t>(std::ranges::count_if(mechanism.seams, [](const MechanismSeam& s) { return !s.hinge; }));
   take_shares(out, parts, live, control, norm(c.gravity.acceleration));
+  const auto pulled = std::ranges::count_if(state.ties, [&](double force) { return std::abs(force) > kBears * out.weight; });
+  if (pulled > 0) {
+    out.points.push_back({0.0, state.multiplier});
+    out.none = std::to_string(pulled) + " ties bear: their forces turn with the mechanism, which is not followed";
+    return out;
+  }
   if (parts.size() > kMostParts) {
     out.points.push_back({0.0, state.multiplier});
     out.none = std::to_string(out.parts) + " parts move; up to " + std::to_string(kMostParts) + " are followed";

@@ -50,7 +50,7 @@ class Analysis {
     LimitState& s = out_.associated;
     std::vector<double> right = balance_.dead();
     for (double& r : right) r = -r;
-    const ProgrammeSolution found = programmes_.solve({balance_.live(), right, LpGoal::most, kLpBound, {}});
+    const ProgrammeSolution found = programmes_.solve({balance_.live(), right, LpGoal::most, kLpBound, {}, {}});
     if (found.outcome == LpOutcome::none) throw no_proof();
     if (found.outcome == LpOutcome::at_bound) refuse_what_never_falls();
     s.multiplier = found.factor * balance_.live_scale();
@@ -72,20 +72,18 @@ class Analysis {
   void took(double multiplier) {
     if (tick_) tick_(++programmes_taken_, multiplier);
   }
-  [[nodiscard]] std::vector<Vec3> on_model(const ProgrammeForces& f) const {
-    std::vector<Vec3> all(f.shear.size());
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = f.shear[i] - f.compression[i] * balance_.points()[i].normal;
-    return balance_.forces(all);
-  }
+  [[nodiscard]] ModelForces on_model(const ProgrammeForces& f) const { return forces_on_model(balance_, f); }
   void prove(const ProgrammeSolution& found, LimitState& s) const {
-    const std::vector<Vec3> forces = on_model(found.forces);
+    const ModelForces forces = on_model(found.forces);
     LimitProof& p = s.proof;
+    s.ties = forces.of_ties;
     p.forces = checks_.check_forces(forces, 1.0, s.multiplier);
     p.motion = checks_.check_motion(s.motion);
     p.lower = s.multiplier;
-    p.upper = -p.motion.dead_power / p.motion.live_power + checks_.slack_of_bound(forces, p.motion);
+    p.upper = (p.motion.tie_power - p.motion.dead_power) / p.motion.live_power + checks_.slack_of_bound(forces, p.motion);
     const double gap = std::abs(p.upper - p.lower);
-    p.holds = p.forces.worst() <= LimitProof::kForces && p.motion.off_normal <= LimitProof::kMotion && p.motion.live_power > 0.0 &&
+    p.holds = p.forces.worst() <= LimitProof::kForces && p.motion.off_normal <= LimitProof::kMotion &&
+              p.motion.stretch <= LimitProof::kMotion && p.motion.live_power > 0.0 &&
               gap <= LimitProof::kGap * std::max(p.lower, LimitProof::kLeast * balance_.live_scale());
     if (p.holds) return;
     std::array<char, 300> text{};
@@ -97,25 +95,25 @@ class Analysis {
     throw NumericalError(text.data());
   }
 
-  /// Forces of contacts form a cone: they bear all of the dead forces or none, and none if some mechanism gives those power. A live force
+  /// Without ties that yield, forces of contacts form a cone: they bear all of the dead forces or none. What they and the ties cannot bear
+  /// falls by a mechanism in which the dead forces do more power than those ties take. A live force
   /// that holds up what would fall is no reason to go on.
   void refuse_what_falls() const {
-    const ProgrammeSolution s = programmes_.solve({balance_.dead(), std::vector<double>(balance_.rows(), 0.0), LpGoal::most, 1.0, {}});
+    const ProgrammeSolution s = programmes_.solve({balance_.dead(), std::vector<double>(balance_.rows(), 0.0), LpGoal::most, 1.0, {}, {}});
     if (s.outcome == LpOutcome::at_bound && checks_.check_forces(on_model(s.forces), s.factor, 0.0).worst() <= LimitProof::kForces) return;
     if (s.outcome != LpOutcome::solved) throw no_proof();
     const MotionCheck m = checks_.check_motion(s.motion);
-    const double least = std::max(kFalls * m.dead_terms, kCertain * m.off_normal * forces_.weight);
-    if (m.off_normal > LimitProof::kMotion || !(m.dead_power > least)) throw no_proof();
+    const double least = std::max(kFalls * m.dead_terms, kCertain * std::max(m.off_normal, m.stretch) * forces_.weight);
+    if (std::max(m.off_normal, m.stretch) > LimitProof::kMotion || !(m.dead_power - m.tie_power > least)) throw no_proof();
     throw cases::InputError(
         "", "does not stand under its dead loads alone, as dry blocks with the friction of their contacts" +
-                std::string(model_.ties.empty() ? "" : " and without its ties") + ": a mechanism was found and checked in which " +
-                fastest(s.motion) + " moves fastest" +
-                (model_.ties.empty() ? ""
-                                     : ". Limit analysis leaves ties out: where a roof stands by them, take it away (as --set "
-                                       "house.roof= does) and put its weight on the walls as [[load]]s"));
+                std::string(model_.ties.empty() ? "" : " and its ties") + ": a mechanism was found and checked in which " +
+                fastest(s.motion) + " moves fastest");
   }
   [[noreturn]] void refuse_what_never_falls() const {
-    const ProgrammeSolution s = programmes_.solve({balance_.live(), std::vector<double>(balance_.rows(), 0.0), LpGoal::most, 1.0, {}});
+    ConeProgramme alone{balance_.live(), std::vector<double>(balance_.rows(), 0.0), LpGoal::most, 1.0, {}, {}};
+    alone.ties.yielding = false;  // so that any multiple of the forces found is borne, too
+    const ProgrammeSolution s = programmes_.solve(alone);
     if (s.outcome != LpOutcome::at_bound ||
         checks_.check_forces(on_model(s.forces), 0.0, balance_.live_scale()).worst() > LimitProof::kForces) {
       throw NumericalError("limit analysis: the multiplier is above " + std::to_string(kLpBound * balance_.live_scale()) +

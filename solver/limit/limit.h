@@ -37,6 +37,7 @@ struct LimitState {
   double multiplier = 0.0;
   /// By body, of the mechanism, about its centre of mass; the fastest contact point or centre has the speed 1.
   std::vector<kernels::Twist> motion;
+  std::vector<double> ties;  // N, tension, by LimitContacts::ties
   int programmes = 0;
   double last_change = 0.0;  // relative change of the multiplier in the last iteration; 0: a single programme
   LimitProof proof;

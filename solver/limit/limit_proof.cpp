@@ -18,9 +18,10 @@ Vec3 place(const geometry::Frame& f, const geometry::Segment& s) { return f.cent
 
 }  // namespace
 
-double ForceCheck::worst() const noexcept { return std::max({unbalanced, tension, over_friction, off_joint}); }
+double ForceCheck::worst() const noexcept { return std::max({unbalanced, tension, over_friction, off_joint, over_yield}); }
 
-ForceCheck LimitModel::check_forces(const std::vector<Vec3>& at_points, double dead, double live) const {
+ForceCheck LimitModel::check_forces(const ModelForces& found, double dead, double live) const {
+  const std::vector<Vec3>& at_points = found.at_points;
   const double unit = forces_.weight / static_cast<double>(contacts_.bodies.size());
   ForceCheck out;
   std::vector<Vec3> force(contacts_.bodies.size()), moment(force.size());
@@ -45,6 +46,18 @@ ForceCheck LimitModel::check_forces(const std::vector<Vec3>& at_points, double d
     for (const auto* side : {&joint.side_a, &joint.side_b})
       for (const geometry::Segment& s : *side) near = std::min(near, norm(place(joint.frame, s) - p.at));
     out.off_joint = std::max(out.off_joint, near / forces_.length);
+  }
+  for (std::size_t k = 0; k < contacts_.ties.size(); ++k) {
+    const LimitTie& tie = contacts_.ties[k];
+    const double pull = found.of_ties[k];
+    out.over_yield = std::max({out.over_yield, (pull - tie.most) / unit, (tie.least - pull) / unit});
+    for (std::size_t end = 0; end < 2; ++end) {
+      for (const LimitTie::Hold& h : tie.ends[end]) {
+        if (h.body < 0) continue;
+        const Vec3 f = (end == 0 ? pull * h.share : -pull * h.share) * tie.along;
+        force[at(h.body)] += f, moment[at(h.body)] += cross(h.at - contacts_.bodies[at(h.body)].centre, f);
+      }
+    }
   }
   for (std::size_t b = 0; b < force.size(); ++b)
     out.unbalanced = std::max({out.unbalanced, norm(force[b]) / unit, norm(moment[b]) / (unit * forces_.length)});
@@ -88,6 +101,13 @@ MotionCheck LimitModel::check_motion(const std::vector<kernels::Twist>& motion) 
     }
     out.off_normal = std::max(out.off_normal, out.deficit[j]);
   }
+  for (const LimitTie& tie : contacts_.ties) {
+    const double longer = stretching(tie, contacts_, motion) / out.fastest, held = longer > 0.0 ? tie.most : tie.least;
+    const bool limited = std::isfinite(held);
+    out.stretches.push_back(limited ? 0.0 : std::abs(longer));
+    out.stretch = std::max(out.stretch, out.stretches.back());
+    if (limited) out.tie_power += held * longer;
+  }
   out.dead_power = power(forces_.dead, motion) / out.fastest;
   for (std::size_t b = 0; b < motion.size(); ++b)
     out.dead_terms +=
@@ -96,8 +116,13 @@ MotionCheck LimitModel::check_motion(const std::vector<kernels::Twist>& motion) 
   return out;
 }
 
-double LimitModel::lost_power(const std::vector<Vec3>& at_points, const std::vector<kernels::Twist>& motion) const {
+double LimitModel::lost_power(const ModelForces& found, const std::vector<kernels::Twist>& motion) const {
+  const std::vector<Vec3>& at_points = found.at_points;
   double lost = 0.0;
+  for (std::size_t k = 0; k < contacts_.ties.size(); ++k) {
+    const double longer = stretching(contacts_.ties[k], contacts_, motion), held = longer > 0.0 ? contacts_.ties[k].most : contacts_.ties[k].least;
+    lost += std::abs((std::isfinite(held) ? held - found.of_ties[k] : forces_.weight) * longer);
+  }
   for (std::size_t i = 0; i < contacts_.points.size(); ++i) {
     const LimitPoint& p = contacts_.points[i];
     const Vec3 v = speed(p.b, p.at, motion) - speed(p.a, p.at, motion);
@@ -109,8 +134,10 @@ double LimitModel::lost_power(const std::vector<Vec3>& at_points, const std::vec
   return lost / std::abs(power(forces_.live, motion));
 }
 
-double LimitModel::slack_of_bound(const std::vector<Vec3>& at_points, const MotionCheck& c) const {
+double LimitModel::slack_of_bound(const ModelForces& found, const MotionCheck& c) const {
+  const std::vector<Vec3>& at_points = found.at_points;
   double held = 0.0;
+  for (std::size_t k = 0; k < c.stretches.size(); ++k) held += c.stretches[k] * std::abs(found.of_ties[k]);
   for (std::size_t i = 0; i < contacts_.points.size(); ++i) {
     const LimitPoint& p = contacts_.points[i];
     held += c.deficit[at(p.joint)] * std::abs(dot(at_points[i], p.normal));

@@ -6,6 +6,7 @@
 
 #include "cases/forward.h"
 #include "kernels/rows.h"
+#include "solver/limit/balance.h"
 #include "solver/limit/contacts.h"
 #include "solver/limit/friction_cone.h"
 #include "solver/limit/live_load.h"
@@ -21,6 +22,7 @@ struct ForceCheck {
   double tension = 0.0;        // largest tension at a point
   double over_friction = 0.0;  // largest shear above the limit at a point
   double off_joint = 0.0;      // largest distance of a point from its joint's segments, over the mean lever
+  double over_yield = 0.0;     // largest force of a tie beyond those at which it yields
   [[nodiscard]] double worst() const noexcept;
 };
 
@@ -28,8 +30,11 @@ struct ForceCheck {
 struct MotionCheck {
   double overlap = 0.0;                       // greatest speed of contact points into each other
   double off_normal = 0.0;                    // associated flow: greatest deficit of the opening that accompanies slip
+  double stretch = 0.0;                       // greatest speed at which a tie without limit gives way
   std::vector<double> deficit;                // by joint: greatest such deficit; zero within one body
+  std::vector<double> stretches;              // by tie: that speed; zero of ties that yield
   double dead_power = 0.0, live_power = 0.0;  // W at the speed 1 m/s
+  double tie_power = 0.0;                     // W, taken by ties that yield
   double dead_terms = 0.0;                    // W, the powers of the single dead forces and moments, each without its sign
   double fastest = 0.0;                       // m/s, greatest speed of all contact points and corners of blocks
 };
@@ -39,15 +44,17 @@ class LimitModel {
   LimitModel(const cases::Model& model, const LimitContacts& contacts, const LimitForces& forces, const FrictionCone& cone, Vec3 direction)
       : model_(model), contacts_(contacts), forces_(forces), cone_(cone), direction_(direction) {}
 
-  /// Checks forces. \param at_points  at LimitContacts::points, on body a, N \param dead,  live factors of these forces
-  [[nodiscard]] ForceCheck check_forces(const std::vector<Vec3>& at_points, double dead, double live) const;
+  /// Checks forces. \param dead,  live factors of these forces
+  [[nodiscard]] ForceCheck check_forces(const ModelForces& found, double dead, double live) const;
   [[nodiscard]] MotionCheck check_motion(const std::vector<kernels::Twist>& motion) const;
   /// Deviation of the forces from Coulomb's flow in this motion: sum over the points of pressure times opening speed, and of the difference
-  /// between the power of Coulomb's friction and that of the shear, as a share of the power of the live forces.
-  [[nodiscard]] double lost_power(const std::vector<Vec3>& at_points, const std::vector<kernels::Twist>& motion) const;
+  /// between the power of Coulomb's friction and that of the shear, and over the ties of that between the power of their yield force and of
+  /// their force, as a share of the power of the live forces.
+  [[nodiscard]] double lost_power(const ModelForces& found, const std::vector<kernels::Twist>& motion) const;
   /// Bound on the error of the multiplier's upper bound due to violations of normality, for forces like these: each joint's deficit holds
-  /// back what presses that joint. A light stone on heavy ones thus has a bound of its own weight.
-  [[nodiscard]] double slack_of_bound(const std::vector<Vec3>& at_points, const MotionCheck& c) const;
+  /// back what presses that joint, and so does the stretch of a tie without limit what pulls it. A light stone on heavy ones thus has a
+  /// bound of its own weight.
+  [[nodiscard]] double slack_of_bound(const ModelForces& found, const MotionCheck& c) const;
 
  private:
   [[nodiscard]] Vec3 speed(std::int32_t body, Vec3 at, const std::vector<kernels::Twist>& motion) const;

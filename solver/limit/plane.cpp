@@ -114,7 +114,7 @@ bool lie_in(const LimitForces& forces, const LimitPlane& plane) {
 }  // namespace
 
 std::optional<LimitPlane> plane_of(const LimitContacts& contacts, const LimitForces& forces, Vec3 direction) {
-  if (contacts.points.empty()) return {};
+  if (contacts.points.empty() || !contacts.ties.empty()) return {};
   LimitPlane plane;
   plane.across = across_of(contacts, direction);
   if (plane.across == Vec3{} || !lie_in(forces, plane)) return {};

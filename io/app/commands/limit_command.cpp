@@ -176,6 +176,14 @@ int tell(const LimitQuestion& asked, const LimitCommandOptions& o, const cases::
   return proven ? kDone : kNumericalFailure;
 }
 
+/// What the multiplier takes for granted of ties.
+void say_of_ties(const cases::Model& model) {
+  const auto breaking = std::ranges::count_if(model.ties, [](const cases::TieBar& t) { return std::isfinite(t.breaking); });
+  if (breaking > 0)
+    say_warning(std::to_string(breaking) + " ties and bars of meshes break beyond their elongation; limit analysis takes them to yield as far as the "
+                                           "mechanism moves");
+}
+
 /// Finds the collapse multiplier of a live load and its mechanism, by limit analysis of dry rigid blocks (solver/limit/limit.h).
 /// \throw cases::InputError, FileError
 int limit(const LoadedCase& c, const LimitCommandOptions& o, int threads) {
@@ -195,8 +203,7 @@ int limit(const LoadedCase& c, const LimitCommandOptions& o, int threads) {
   now_doing("building the model");
   const cases::Model model = cases::build_model(c.value, threads);
   now_doing("looking for the multiplier");
-  if (!model.ties.empty())
-    say_warning("limit analysis leaves ties out: the multiplier is that of the blocks alone");
+  say_of_ties(model);
   if (o.path.empty()) {
     const solver::LimitResult found = solver::limit_analysis(c.value, model, asked.options);
     if (on_terminal) std::fputc('\n', stderr);

@@ -106,6 +106,42 @@ void print_state(std::string& out, const char* rule, const solver::LimitState& s
   if (m.seams.size() > kMostLines) out += printed("  and %zu more\n", m.seams.size() - kMostLines);
 }
 
+constexpr double kBears = 1e-6;  // N, relative to the weight of all bodies: a tie that bears less bears nothing
+
+/// The ties that bear: "2 of 4 bear: west rod 25.00 kN, it yields; east rod 3.10 kN".
+std::string tie_words(const solver::LimitState& s, const cases::Model& model, const solver::LimitResult& r) {
+  std::vector<std::string> rods;
+  std::size_t bars = 0, all_bars = 0;
+  for (std::size_t k = 0; k < r.contacts.ties.size(); ++k) {
+    const cases::TieBar& bar = nth(model.ties, r.contacts.ties[k].number);
+    const bool bears = std::abs(s.ties[k]) > kBears * r.weight;
+    if (bar.mesh >= 0) ++all_bars, bars += bears ? 1 : 0;
+    if (bar.mesh < 0 && bears)
+      rods.push_back(bar.name + printed(" %.2f kN", 1e-3 * s.ties[k]) + (std::abs(s.ties[k]) > (1.0 - 1e-6) * bar.yield ? ", it yields" : ""));
+  }
+  std::string out = std::to_string(rods.size() + bars) + " of " + std::to_string(s.ties.size()) + " bear";
+  for (std::size_t k = 0; k < std::min(kMostLines, rods.size()); ++k) out += (k == 0 ? ": " : "; ") + rods[k];
+  if (rods.size() > kMostLines) out += printed("; and %zu more", rods.size() - kMostLines);
+  if (all_bars > 0) out += (rods.empty() ? ": " : "; ") + printed("%zu of %zu bars of decks and meshes", bars, all_bars);
+  return out;
+}
+
+/// Of each separate tie its force and how fast it gets longer, and of decks and meshes how many bars bear.
+void put_ties(Json& out, const solver::LimitState& s, const cases::Model& model, const solver::LimitResult& r) {
+  std::size_t bars = 0;
+  out["ties"] = Json::array();
+  for (std::size_t k = 0; k < s.ties.size(); ++k) {
+    const solver::LimitTie& tie = r.contacts.ties[k];
+    const cases::TieBar& bar = nth(model.ties, tie.number);
+    if (bar.mesh >= 0) {
+      bars += std::abs(s.ties[k]) > kBears * r.weight ? 1 : 0;
+      continue;
+    }
+    out["ties"].push_back({{"name", bar.name}, {"force", s.ties[k]}, {"lengthens", solver::stretching(tie, r.contacts, s.motion)}});
+  }
+  out["mesh_bars"] = bars;
+}
+
 Json json_of(Vec3 v) { return {v.x, v.y, v.z}; }
 
 Json proof_json(const solver::LimitProof& p) {
@@ -116,6 +152,8 @@ Json proof_json(const solver::LimitProof& p) {
           {"tension", p.forces.tension},
           {"over_friction", p.forces.over_friction},
           {"off_joint", p.forces.off_joint},
+          {"over_yield", p.forces.over_yield},
+          {"stretch", p.motion.stretch},
           {"overlap", p.motion.overlap},
           {"off_normal", p.motion.off_normal},
           {"lost_power", p.lost_power}};
@@ -145,6 +183,7 @@ Json state_json(const solver::LimitState& s, const cases::Model& model, const so
                             {"opens", seam.open},
                             {"slides", seam.slide},
                             {"hinge", seam.hinge}});
+  if (!s.ties.empty()) put_ties(out, s, model, r);
   return out;
 }
 
@@ -252,10 +291,12 @@ std::string limit_text(const LimitQuestion& asked, const cases::Model& model, co
   put("multiplier, associated", multiplier(r.associated) + "; no mechanism of Coulomb's friction has a higher one");
   put("proof", associated_proof(r.associated.proof));
   const bool both = asked.options.coulomb;
+  if (!r.associated.ties.empty()) put("ties", tie_words(r.associated, model, r));
   put("multiplier, Coulomb", !both                ? "not asked for (--associated)"
                              : r.coulomb_proven() ? multiplier(r.coulomb) + "; one of perhaps several, the order of blocks may give another"
                                                   : "NOT found: no forces and mechanism prove one; it is at most the associated one");
   if (both && r.coulomb_proven()) put("proof", coulomb_proof(r.coulomb.proof));
+  if (both && r.coulomb_proven() && !r.coulomb.ties.empty()) put("ties", tie_words(r.coulomb, model, r));
   put("programmes", std::to_string(r.associated.programmes + r.coulomb.programmes));
   print_state(out, "associated", r.associated, model, r.contacts);
   if (both && r.coulomb_proven()) print_state(out, "Coulomb", r.coulomb, model, r.contacts);

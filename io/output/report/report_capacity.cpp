@@ -108,6 +108,7 @@ struct LimitAnalysis {
   std::uint64_t mortar_joints = 0;
   double cone_error = 0.0;
   bool converged = false;
+  bool has_ties = false;  // false: of a program that left them out, or there are none
   Json associated, coulomb;  // multipliers; null: none, or none that is finite
 };
 
@@ -126,6 +127,7 @@ LimitAnalysis read(const std::string& text) {
   out.mortar_joints = all.at("mortar_joints").get_ref<const std::uint64_t&>();
   out.cone_error = all.at("cone_error").get<double>();
   out.converged = all.at("converged").get<bool>();
+  out.has_ties = all.at("associated").is_object() && all.at("associated").contains("ties");
   out.associated = multiplier_of(all.at("associated")), out.coulomb = multiplier_of(all.at("coulomb"));
   return out;
 }
@@ -143,7 +145,8 @@ Json reasons(const LimitAnalysis& limit, const cases::Case& c, const Capacity& r
   if (limit.mortar_joints > 0)
     all.push_back("Mortar: the run counts the strength of " + std::to_string(limit.mortar_joints) +
                   " joints, limit analysis takes them as dry.");
-  if (!c.ties.empty()) all.push_back("Ties: the run has them, limit analysis leaves them out.");
+  if (!c.ties.empty() && !limit.has_ties) all.push_back("Ties: the run has them, this limit analysis, of an earlier program, left them out.");
+  if (!c.ties.empty() && limit.has_ties) all.push_back("Ties: in limit analysis they yield at once, in the run they stretch first, and harden.");
   if (cases::has_push_shape(c.analysis) || (run.kind == AnalysisKind::pushover && c.analysis.pattern != LoadPattern::mass))
     all.push_back("Pattern: the run's forces are not spread as the weights, those of limit analysis are.");
   if (run.kind == AnalysisKind::pushover && !c.loads.empty() && c.analysis.pattern == LoadPattern::given)

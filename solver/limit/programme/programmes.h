@@ -11,6 +11,7 @@
 #include "solver/limit/balance.h"
 #include "solver/limit/friction_cone.h"
 #include "solver/limit/programme/linear_programme.h"
+#include "solver/limit/programme/tie_columns.h"
 
 /// The linear programmes of limit analysis.
 namespace voussoir::solver {
@@ -18,8 +19,13 @@ namespace voussoir::solver {
 /// Forces in mean weights, at Balance::points.
 struct ProgrammeForces {
   std::vector<double> compression;
-  std::vector<Vec3> shear;  // on body a
+  std::vector<Vec3> shear;   // on body a
+  std::vector<double> ties;  // of Balance::ties
 };
+
+
+/// These forces on the model.
+ModelForces forces_on_model(const Balance& balance, const ProgrammeForces& f);
 
 struct ProgrammeSolution {
   LpOutcome outcome = LpOutcome::none;
@@ -37,6 +43,7 @@ struct ConeProgramme {
   double bound = kLpBound;
   /// Whether the edge of a point's cone above a corner of its polygon may be used; empty: all.
   std::function<bool(std::size_t point, std::size_t corner)> allowed{};
+  TieUse ties{};
 };
 
 class Programmes {
@@ -50,7 +57,8 @@ class Programmes {
   [[nodiscard]] ProgrammeSolution solve_yield(const std::vector<double>& cohesion, const std::vector<double>& slope) const;
   /// Admissible forces of least cost, under any multiple of the live forces.
   /// \param cost  of a unit of compression on an edge of a cone, >= 0
-  [[nodiscard]] ProgrammeSolution solve_cheapest(const std::function<double(std::size_t point, std::size_t corner)>& cost) const;
+  [[nodiscard]] ProgrammeSolution solve_cheapest(const std::function<double(std::size_t point, std::size_t corner)>& cost,
+                                                 const TieCosts& tie_costs) const;
 
  private:
   /// An edge of a point's cone, above a corner of its polygon.

@@ -180,17 +180,17 @@ TEST_CASE("limit: each check sees a fault of its own kind") {
   const solver::LimitModel checks(model, contacts, forces, cone, {1, 0, 0});
   const double unit = forces.weight / static_cast<double>(contacts.bodies.size());
   std::vector<Vec3> none(contacts.points.size());
-  CHECK(checks.check_forces(none, 1.0, 0.0).unbalanced >= 1.0);
-  CHECK(checks.check_forces(none, 0.0, 0.0).worst() == doctest::Approx(0.0).epsilon(1e-12));
+  CHECK(checks.check_forces({none, {}}, 1.0, 0.0).unbalanced >= 1.0);
+  CHECK(checks.check_forces({none, {}}, 0.0, 0.0).worst() == doctest::Approx(0.0).epsilon(1e-12));
   std::vector<Vec3> pulled = none;
   pulled[0] = 0.1 * unit * contacts.points[0].normal;
-  CHECK(checks.check_forces(pulled, 0.0, 0.0).tension == doctest::Approx(0.1));
+  CHECK(checks.check_forces({pulled, {}}, 0.0, 0.0).tension == doctest::Approx(0.1));
   std::vector<Vec3> sheared = none;
   sheared[0] = unit * (contacts.points[0].first - contacts.points[0].normal);
-  CHECK(checks.check_forces(sheared, 0.0, 0.0).over_friction == doctest::Approx(1.0 - std::tan(31.7989 * std::numbers::pi / 180.0)));
+  CHECK(checks.check_forces({sheared, {}}, 0.0, 0.0).over_friction == doctest::Approx(1.0 - std::tan(31.7989 * std::numbers::pi / 180.0)));
   solver::LimitContacts apart = contacts;
   apart.points[0].at += Vec3{0.0, 0.0, 0.01};
-  CHECK(solver::LimitModel(model, apart, forces, cone, {1, 0, 0}).check_forces(none, 0.0, 0.0).off_joint ==
+  CHECK(solver::LimitModel(model, apart, forces, cone, {1, 0, 0}).check_forces({none, {}}, 0.0, 0.0).off_joint ==
         doctest::Approx(0.01 / forces.length));
 
   std::vector<kernels::Twist> motion(contacts.bodies.size());
@@ -203,7 +203,7 @@ TEST_CASE("limit: each check sees a fault of its own kind") {
   // Without friction its slip takes nothing of the power that is due.
   std::vector<Vec3> pressed = none;
   for (std::size_t i = 0; i < contacts.points.size(); ++i) pressed[i] = -unit * contacts.points[i].normal;
-  CHECK(checks.lost_power(pressed, motion) > 0.1);
+  CHECK(checks.lost_power({pressed, {}}, motion) > 0.1);
 }
 
 TEST_SUITE_END();
