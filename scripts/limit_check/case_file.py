@@ -3,6 +3,7 @@
 """A model as a case file, in one of the ways in which users write them."""
 
 
+
 def numbers(values):
     return "[" + ", ".join(repr(float(x)) for x in values) + "]"
 
@@ -79,6 +80,10 @@ def write(model, path):
     for load in model.loads:
         lines += ["[[load]]", f'block = "{load.block}"', f"force = {numbers(load.force)}", f"moment = {numbers(load.moment)}"]
         lines += ([f"at = {numbers(load.at)}"] if load.at is not None else []) + [""]
+    for number, tie in enumerate(model.ties):
+        area = 1e-4 if tie.most is None else max(1e-9, 1e-7 * tie.most)  # m2
+        lines += ["[[tie]]", f'name = "tie {number}"', f"from = {numbers(tie.points[0])}", f"to = {numbers(tie.points[1])}", f"area = {area!r}"]
+        lines += ([f"yield = {tie.most / area!r}"] if tie.most is not None else []) + (["compression = true"] if tie.compression else []) + [""]
     path.write_text("\n".join(lines))
 
 

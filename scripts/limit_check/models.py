@@ -10,9 +10,10 @@ import numpy
 import plane_kinds
 import space_kinds
 from contacts import Doubtful, find_contacts
-from shapes import BOX_FACES, Block, turned, unit, upright_box
+from shapes import BOX_FACES, Block, Tie, turned, unit, upright_box, volume_and_centroid
 
 MOST_BLOCKS = 60
+LEAST_TIE = 0.02  # m
 
 
 def mirrored(model):
@@ -159,8 +160,28 @@ def choose_points(rng, model, scale):
         pass
 
 
-def make(seed, number, share=None):
-    """share: "plane" or "space"; None: either."""
+def tie_up(rng, model):
+    """Ties between middles of blocks, or from one to the base. They take a plane model out of its plane."""
+    solid = [b for b in model.blocks if not b.stone and not b.ground]
+    weight = model.gravity * sum(volume_and_centroid(b.vertices, b.faces)[0] * model.density[b.material] for b in solid if not b.fixed)
+    if len(solid) < 2:
+        return
+    least = max(LEAST_TIE, 0.1 * numpy.ptp(solid[0].vertices, axis=0).max())
+    for _ in range(rng.randint(1, 4)):
+        one, other = rng.sample(solid, 2)
+        ends, names = [one.vertices.mean(axis=0), other.vertices.mean(axis=0)], [one.name, other.name]
+        if model.base is not None and not any(b.ground for b in model.blocks) and rng.random() < 0.4:
+            at = ends[0] + numpy.ptp(ends[0] - one.vertices, axis=0).max() * numpy.array([rng.uniform(-2, 2), rng.uniform(-2, 2), 0.0])
+            ends[1], names[1] = numpy.array([at[0], at[1], model.base]), None
+        if numpy.linalg.norm(ends[1] - ends[0]) < least or (one.fixed and (names[1] is None or other.fixed)):
+            continue
+        most = None if rng.random() < 0.15 else float(f"{weight * 10.0**rng.uniform(-2.5, 0.3):.4g}")
+        model.ties.append(Tie(tuple(names), tuple(tuple(float(x) for x in end) for end in ends), most, rng.random() < 0.2))
+    model.plane = model.plane and not model.ties
+
+
+def make(seed, number, share=None, ties=False):
+    """share: "plane" or "space"; None: either. ties: with some, where blocks are large enough and are no file of stones."""
     rng = random.Random(f"{seed}:{number}")
     while True:
         kinds = {"plane": plane_kinds.KINDS, "space": space_kinds.KINDS}[share or rng.choice(["plane", "space"])]
@@ -184,4 +205,6 @@ def make(seed, number, share=None):
         on_part(rng, model, angle)
     aim(rng, model, angle)
     choose_points(rng, model, scale)
+    if ties and model.form == "blocks" and len(model.blocks) > 1:
+        tie_up(random.Random(f"ties {seed}:{number}"), model)
     return model

@@ -11,7 +11,7 @@ import subprocess
 import numpy
 
 import case_file
-from reference import FALLS, MARGINAL, STANDS, UNBOUNDED, UNSURE, Programme, solve
+from reference import FALLS, MARGINAL, STANDS, UNBOUNDED, UNSURE, Programme, solve, taken
 
 PLANE, SPACE = 1e-6, 1e-4  # relative differences that are allowed
 CLOSES, POWER = 1e-8, 1e-5  # of mechanisms, whose velocities are written with twelve digits
@@ -59,7 +59,7 @@ def bound_of_mechanism(model, result, table):
         velocities = p.keep @ velocities
     fastest = max(numpy.abs(velocities).max(), 1e-300)
     power = float(p.live @ velocities)
-    return (-float(p.dead @ velocities) / power if power else numpy.inf), -min(0.0, float((p.matrix.T @ velocities).min())) / fastest
+    return ((taken(p, velocities) - float(p.dead @ velocities)) / power if power else numpy.inf), -min(0.0, float((p.matrix.T @ velocities).min())) / fastest
 
 
 def compare(voussoir, model, case, coulomb=False):

@@ -99,6 +99,7 @@ class Programme:
         self.unit_force = model.gravity * sum(self.masses.values()) / len(self.free)
         self._forces(model, blocks, middle)
         self._columns(model, plane, facets, cone)
+        self._ties(model, middle, {block.name: body for block, body in zip(blocks, self.body)})
         self.keep = None  # what of six velocities a body is left in a plane
         if plane:
             self._keep_plane()
@@ -142,12 +143,32 @@ class Programme:
                     count += 1
         self.matrix = scipy.sparse.csr_matrix((values, (rows, columns)), shape=(6 * len(self.free), count))
 
+    def _ties(self, model, middle, body_of):
+        """A column for the tension of each tie, and one for its compression where it bears any; `most` of each, inf: no limit."""
+        pulls, self.most = [], []
+        for tie in model.ties:
+            ends = [numpy.array(p) - middle for p in tie.points]
+            along = (ends[1] - ends[0]) / numpy.linalg.norm(ends[1] - ends[0])
+            pull = numpy.zeros(6 * len(self.free))
+            for name, end, force in zip(tie.blocks, ends, (along, -along)):
+                body = None if name is None else body_of[name]
+                if body in self.row:
+                    r = self.row[body]
+                    pull[r:r + 3] += force
+                    pull[r + 3:r + 6] += numpy.cross(end - self.centres[body], force) / self.radii[body]
+            for sign in (1.0, -1.0)[:1 + tie.compression]:
+                pulls.append(sign * pull)
+                self.most.append(numpy.inf if tie.most is None else tie.most / self.unit_force)
+        self.pulls = numpy.array(pulls).reshape(len(pulls), 6 * len(self.free)).T
+        self.most = numpy.array(self.most)
+
     def _keep_plane(self):
         """Force along the direction, force upwards, moment about the normal of the plane."""
         across = numpy.cross(numpy.array([0.0, 0.0, 1.0]), self.direction)
         along = scipy.sparse.csr_matrix(numpy.array([[*self.direction, 0, 0, 0], [0, 0, 1.0, 0, 0, 0], [0, 0, 0, *across]]))
         self.keep = scipy.sparse.block_diag([along] * len(self.free)).tocsr()
         self.matrix, self.dead, self.live = (self.keep @ self.matrix).tocsr(), self.keep @ self.dead, self.keep @ self.live
+        self.pulls = self.keep @ self.pulls
 
 
 def linprog(*args, method="highs-ds", **kwargs):
@@ -156,25 +177,39 @@ def linprog(*args, method="highs-ds", **kwargs):
 
 
 def fall_of(p):
-    """Velocities (at most 1) admissible at all contacts with the greatest power of the dead forces; and that power, checked."""
-    n = p.matrix.shape[0]
-    result = linprog(-p.dead, A_ub=-p.matrix.T, b_ub=numpy.zeros(p.matrix.shape[1]), bounds=[(-1.0, 1.0)] * n)
+    """Velocities (at most 1) admissible at all contacts with the greatest power of the dead forces, less what ties take; and that power,
+    checked. Further unknowns: the speeds at which ties give way."""
+    n, ties = p.matrix.shape[0], p.pulls.shape[1]
+    contacts = scipy.sparse.hstack([-p.matrix.T, scipy.sparse.csr_matrix((p.matrix.shape[1], ties))])
+    giving = scipy.sparse.hstack([scipy.sparse.csr_matrix(-p.pulls.T), -scipy.sparse.identity(ties)])
+    most = numpy.where(numpy.isinf(p.most), 0.0, p.most)
+    speeds = [(0.0, 0.0 if numpy.isinf(m) else None) for m in p.most]
+    result = linprog(numpy.concatenate([-p.dead, most]), A_ub=scipy.sparse.vstack([contacts, giving]).tocsr(),
+                     b_ub=numpy.zeros(p.matrix.shape[1] + ties), bounds=[(-1.0, 1.0)] * n + speeds)
     if result.status != 0:
         return None, None
-    closing = min(0.0, float((p.matrix.T @ result.x).min(initial=0.0)))
-    return float(p.dead @ result.x) + 1e3 * closing, result.x
+    velocities = result.x[:n]
+    closing = min(0.0, float((p.matrix.T @ velocities).min(initial=0.0)))
+    return float(p.dead @ velocities) - taken(p, velocities) + 1e3 * closing, velocities
+
+
+def taken(p, velocities):
+    """Power that ties take; a tie without a limit that gives way counts 1,000 mean weights."""
+    giving = numpy.maximum(0.0, -(p.pulls.T @ velocities))
+    return float(numpy.where(numpy.isinf(p.most), 1e3, p.most) @ giving)
 
 
 def bounds_of(p, result):
     """The gap between the multiplier and the bound by its velocities, with the violations of both."""
-    forces, multiplier, velocities = result.x[:-1], result.x[-1], result.eqlin.marginals
+    columns = p.matrix.shape[1]
+    forces, pulls, multiplier, velocities = result.x[:columns], result.x[columns:-1], result.x[-1], result.eqlin.marginals
     power = float(p.live @ velocities)
     if power == 0.0:
         return numpy.inf, None
     velocities = velocities / power  # the live force has the power 1
-    off_balance = p.matrix @ forces + p.dead + multiplier * p.live
+    off_balance = p.matrix @ forces + p.pulls @ pulls + p.dead + multiplier * p.live
     closing = min(0.0, float((p.matrix.T @ velocities).min()))
-    upper = -float(p.dead @ velocities)
+    upper = taken(p, velocities) - float(p.dead @ velocities)
     return abs(upper - multiplier) + abs(closing) * forces.sum() + numpy.abs(off_balance) @ numpy.abs(velocities), velocities
 
 
@@ -189,12 +224,13 @@ def solve(model: Model, **how) -> Answer:
     if power > RESTING:
         return Answer(MARGINAL, contacts=len(p.contacts))
     columns = p.matrix.shape[1]
-    cost = numpy.zeros(columns + 1)
+    limits = [(0.0, None if numpy.isinf(m) else m) for m in p.most]
+    cost = numpy.zeros(columns + len(limits) + 1)
     cost[-1] = -1.0
-    matrix = scipy.sparse.hstack([p.matrix, p.live.reshape(-1, 1)]).tocsr()
+    matrix = scipy.sparse.hstack([p.matrix, scipy.sparse.csr_matrix(p.pulls), p.live.reshape(-1, 1)]).tocsr()
     best = Answer(UNSURE, contacts=len(p.contacts), error=numpy.inf)
     for method in ("highs-ds", "highs-ipm"):
-        result = linprog(cost, A_eq=matrix, b_eq=-p.dead, bounds=[(0.0, None)] * columns + [(0.0, 10.0 * LARGEST)], method=method)
+        result = linprog(cost, A_eq=matrix, b_eq=-p.dead, bounds=[(0.0, None)] * columns + limits + [(0.0, 10.0 * LARGEST)], method=method)
         if result.status == 2:
             return Answer(MARGINAL, contacts=len(p.contacts))
         if result.status != 0:

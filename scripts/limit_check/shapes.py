@@ -30,6 +30,15 @@ class Load:
 
 
 @dataclasses.dataclass
+class Tie:
+    """A straight bar between two points, each in a block (its name) or on the base (None)."""
+    blocks: tuple
+    points: tuple
+    most: float  # N, at which it yields; None: never
+    compression: bool = False
+
+
+@dataclasses.dataclass
 class Model:
     """The contents of a case file. Coordinates are those that the program reads, after all rotations."""
     kind: str
@@ -43,6 +52,7 @@ class Model:
     tilt: tuple = (0.0, 0.0)
     gravity: float = 9.8
     loads: list = dataclasses.field(default_factory=list)
+    ties: list = dataclasses.field(default_factory=list)
     direction: float = 0.0  # of the live force, from x towards y
     rule: str = "rim"
     size: float = None
