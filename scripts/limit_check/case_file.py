@@ -3,7 +3,6 @@
 """A model as a case file, in one of the ways in which users write them."""
 
 
-
 def numbers(values):
     return "[" + ", ".join(repr(float(x)) for x in values) + "]"
 
