@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -37,6 +38,18 @@ struct HingePoint {
   Vec3 on_a, on_b;              // m, from the centres at first (of the ground: the place)
 };
 
+/// A tie that yields: it pulls with `most` while it gets longer, with `least` while it gets shorter, and not any more once it has broken.
+struct YieldingTie {
+  struct Hold {
+    std::int32_t part = -1;  // −1: the ground
+    double share = 0.0;
+    Vec3 arm;  // m, from the part's centre at first (of the ground: the place)
+  };
+  std::array<std::vector<Hold>, 2> ends;
+  double most = 0.0, least = 0.0;  // N
+  double longest = 0.0;            // m, at which it breaks
+};
+
 /// Places of the parts: centre of mass, and rotation since the beginning.
 struct Place {
   Vec3 centre;
@@ -60,6 +73,7 @@ class Chain {
       for (const Place& s : start_) length_ = std::max(length_, norm(p.at - s.centre));
     add_hinges(contacts, mechanism, part_of);
     add_loads(c, model, contacts, part_of);
+    add_ties(model, contacts, part_of);
   }
 
   [[nodiscard]] const std::vector<Place>& start() const { return start_; }
@@ -90,10 +104,25 @@ class Chain {
       const Vec3 arm = turned(at[f.part], f.at);
       dead += dot(f.force, motion[f.part].v + cross(motion[f.part].w, arm)) + dot(f.moment, motion[f.part].w);
     }
+    for (const YieldingTie& t : ties_) dead -= power(t, at, motion);
     return live > 0.0 ? -dead / live : KinematicCurve::kNone;
   }
 
  private:
+  /// Power that a tie takes.
+  [[nodiscard]] static double power(const YieldingTie& t, const std::vector<Place>& at, const std::vector<kernels::Twist>& motion) {
+    std::array<Vec3, 2> place, speed;
+    for (std::size_t k = 0; k < 2; ++k) {
+      for (const YieldingTie::Hold& h : t.ends[k]) {
+        const Vec3 arm = h.part < 0 ? h.arm : turned(nth(at, h.part), h.arm);
+        place[k] += h.share * (h.part < 0 ? arm : nth(at, h.part).centre + arm);
+        if (h.part >= 0) speed[k] += h.share * (nth(motion, h.part).v + cross(nth(motion, h.part).w, arm));
+      }
+    }
+    const Vec3 along = place[1] - place[0];
+    const double length = norm(along), longer = dot(speed[1] - speed[0], along) / length;
+    return length > t.longest ? 0.0 : (longer > 0.0 ? t.most : t.least) * longer;
+  }
   void add_hinges(const LimitContacts& contacts, const Mechanism& mechanism, const std::vector<std::int32_t>& part_of) {
     for (const LimitPoint& p : contacts.points) {
       const std::int32_t a = p.a < 0 ? -1 : nth(part_of, p.a), b = p.b < 0 ? -1 : nth(part_of, p.b);
@@ -113,6 +142,20 @@ class Chain {
         if (part < 0) continue;
         forces_.push_back({static_cast<std::size_t>(part), share.point - nth(start_, part).centre, share.part * c.loads[i].force,
                            share.part * c.loads[i].moment});
+      }
+    }
+  }
+  void add_ties(const cases::Model& model, const LimitContacts& contacts, const std::vector<std::int32_t>& part_of) {
+    for (const LimitTie& tie : contacts.ties) {
+      if (!std::isfinite(tie.most)) continue;
+      const cases::TieBar& bar = nth(model.ties, tie.number);
+      YieldingTie& out = ties_.emplace_back();
+      out.most = tie.most, out.least = tie.least, out.longest = bar.length + bar.breaking;
+      for (std::size_t k = 0; k < 2; ++k) {
+        for (const LimitTie::Hold& h : tie.ends[k]) {
+          const std::int32_t part = h.body < 0 ? -1 : nth(part_of, h.body);
+          out.ends[k].push_back({part, h.share, part < 0 ? h.at : h.at - nth(start_, part).centre});
+        }
       }
     }
   }
@@ -168,6 +211,7 @@ class Chain {
   std::vector<kernels::Twist> motion_;  // at first
   std::vector<HingePoint> hinges_;
   std::vector<DeadForce> forces_;
+  std::vector<YieldingTie> ties_;
 };
 
 /// Rotation by a rotation vector.
@@ -262,10 +306,12 @@ KinematicCurve kinematic_curve(const cases::Case& c, const cases::Model& model, 
   out.control = parts[control].centre;
   out.sliding = static_cast<std::size_t>(std::ranges::count_if(mechanism.seams, [](const MechanismSeam& s) { return !s.hinge; }));
   take_shares(out, parts, live, control, norm(c.gravity.acceleration));
-  const auto pulled = std::ranges::count_if(state.ties, [&](double force) { return std::abs(force) > kBears * out.weight; });
-  if (pulled > 0) {
+  std::size_t elastic = 0;
+  for (std::size_t k = 0; k < state.ties.size(); ++k)
+    if (!std::isfinite(contacts.ties[k].most) && std::abs(state.ties[k]) > kBears * out.weight) ++elastic;
+  if (elastic > 0) {
     out.points.push_back({0.0, state.multiplier});
-    out.none = std::to_string(pulled) + " ties bear: their forces turn with the mechanism, which is not followed";
+    out.none = std::to_string(elastic) + " ties that bear have no yield force: what they hold is not followed";
     return out;
   }
   if (parts.size() > kMostParts) {

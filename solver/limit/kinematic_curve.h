@@ -39,7 +39,7 @@ struct KinematicCurve {
 
 /// Follows a mechanism of limit analysis. Parts turn about their hinges, which stay where they are in the material; the multiplier is that
 /// of virtual work, −Σ dead · v / Σ live · v, with dead loads at their points of the material and live forces at the parts' centres of
-/// mass. Where the parts have more than one freedom, the motion goes on as it is. \pre the live load is the weight of all bodies
+/// mass. Ties pull along the line between their ends as it is now, with their yield force while they get longer, until they break. Where the parts have more than one freedom, the motion goes on as it is. \pre the live load is the weight of all bodies
 KinematicCurve kinematic_curve(const cases::Case& c, const cases::Model& model, const LimitContacts& contacts, const LimitState& state,
                                Vec3 live);
 

@@ -11,6 +11,7 @@
 
 #include "cases/case.h"
 #include "cases/model.h"
+#include "solver/limit/kinematic_curve.h"
 #include "solver/limit/limit.h"
 #include "solver/limit/programme/linear_programme.h"
 #include "tests/solver/limit/masonry.h"
@@ -166,6 +167,38 @@ TEST_CASE("limit: the interior-point method gives the multipliers of the simplex
     CHECK(by_inside.multiplier == doctest::Approx(by_simplex.multiplier).epsilon(2e-6));
     CHECK(by_inside.proof.holds);
   }
+}
+
+TEST_CASE("kinematic: a wall that turns away from its rod has the curve of its weight and the rod's yield force, until the rod breaks") {
+  cases::Case c = tied_wall(60.0, kYield);
+  const auto curve = [&c] {
+    const cases::Model model = cases::build_model(c);
+    solver::LimitOptions o;
+    o.coulomb = false;
+    const solver::LimitResult r = solver::limit_analysis(c, model, o);
+    return solver::kinematic_curve(c, model, r.contacts, r.associated, {1, 0, 0});
+  };
+  const solver::KinematicCurve k = curve();
+  REQUIRE(k.none.empty());
+  // The wall has turned by t about its toe at (kWidth, 0); the rod goes from (-2, kTieHeight) to the point that was at (0, kTieHeight).
+  const auto multiplier = [](double t) {
+    const double x = kWidth - kWidth * std::cos(t) + kTieHeight * std::sin(t), z = kTieHeight * std::cos(t) + kWidth * std::sin(t);
+    const double length = std::hypot(x + 2.0, z - kTieHeight), along_x = (x + 2.0) / length, along_z = (z - kTieHeight) / length;
+    const double of_rod = kYield * (along_x * z - along_z * (x - kWidth));  // moment about the toe, against the motion
+    const double arm = 0.5 * (kWidth * std::cos(t) - kHeight * std::sin(t)), high = 0.5 * (kHeight * std::cos(t) + kWidth * std::sin(t));
+    return (kWeight * arm + of_rod) / (kWeight * high);
+  };
+  const auto displacement = [](double t) { return 0.5 * (kWidth + kHeight * std::sin(t) - kWidth * std::cos(t)); };
+  for (const double t : {0.0, 0.05, 0.1, 0.2}) CHECK(k.at(displacement(t)) == doctest::Approx(multiplier(t)).epsilon(2e-4));
+  CHECK(k.zero > 0.5 * kWidth);  // that of the wall alone
+
+  c.ties[0].elongation = 0.05;  // of 2 m: breaks when it is 2.1 m long
+  const solver::KinematicCurve breaks = curve();
+  REQUIRE(breaks.none.empty());
+  CHECK(breaks.at(displacement(0.05)) == doctest::Approx(multiplier(0.05)).epsilon(2e-4));
+  const double alone = std::tan(std::atan(kWidth / kHeight) - 0.1);
+  CHECK(breaks.at(displacement(0.1)) == doctest::Approx(alone).epsilon(1e-3));
+  CHECK(breaks.zero == doctest::Approx(0.5 * kWidth).epsilon(1e-3));
 }
 
 TEST_CASE("limit: ties whose ends are one body, or both fixed, do nothing") {
