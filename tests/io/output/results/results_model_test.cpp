@@ -3,8 +3,10 @@
 #include "io/output/results/results_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -156,6 +158,28 @@ TEST_CASE("any other polyhedron is tetrahedra that fill it, each the right way r
   CHECK(volume == doctest::Approx(geometry::mass_properties(pyramid).volume).epsilon(1e-12));
   CHECK(values<std::int32_t>(all, "/model/face/first_corner") == std::vector<std::int32_t>{0, 4, 7, 10, 13});
   CHECK(values<std::int32_t>(all, "/model/face/corners") == std::vector<std::int32_t>{3, 2, 1, 0, 0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4});
+}
+
+TEST_CASE("bars of meshes and decks: between which points, held by what, and when they break; apart from the separate ties") {
+  cases::Model m = two_cubes();
+  const auto bar = [](const std::string& name, std::int32_t mesh, std::int32_t from, std::int32_t to, double breaking) {
+    cases::TieBar b;
+    b.name = name, b.mesh = mesh, b.breaking = breaking;
+    b.yield = std::numeric_limits<double>::infinity();
+    b.ends = {{{{from, 1.0, {1, 2, 3}}}, {{to, 0.25, {4, 0, 0}}, {geometry::kBase, 0.75, {0, 4, 0}}}}};
+    return b;
+  };
+  m.ties = {bar("rod", -1, 0, 1, 0.5), bar("net", 0, 0, 1, std::numeric_limits<double>::infinity()), bar("net", 0, 1, 0, 0.01)};
+  const auto all = model_datasets(m);
+  CHECK(values<double>(all, "/model/tie_ends") == std::vector<double>{1, 2, 3, 1, 3, 0});
+  CHECK(values<std::int32_t>(all, "/model/tie_element") == std::vector<std::int32_t>{0, geometry::kBase});
+  CHECK(values<std::int64_t>(all, "/model/mesh_bars") == std::vector<std::int64_t>{2});
+  CHECK(values<double>(all, "/model/mesh_bar_ends") == std::vector<double>{1, 2, 3, 1, 3, 0, 1, 2, 3, 1, 3, 0});
+  CHECK(values<std::int32_t>(all, "/model/mesh_bar_element") == std::vector<std::int32_t>{0, geometry::kBase, 1, geometry::kBase});
+  const auto breaking = values<double>(all, "/model/mesh_bar_breaking");
+  REQUIRE(breaking.size() == 2);
+  CHECK(std::isnan(breaking[0]));
+  CHECK(breaking[1] == 0.01);
 }
 
 TEST_CASE("an assembly that is not of the blocks is refused") {
