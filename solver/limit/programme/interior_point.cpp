@@ -21,12 +21,11 @@ using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 constexpr int kMostIterations = 150;
 constexpr double kTolerance = 1e-8;                  // of residuals and gap, relative
-constexpr double kUseful = 1e-6;  // likewise: where rounding allows no better, the best point is the answer, which its user has to check
-constexpr double kWorse = 1e3;    // times the best: rounding has the upper hand
 constexpr double kStepBack = 0.995;                  // of the way to the boundary at most
 constexpr double kPivot = 1e-13;                     // of a diagonal entry: what keeps pivots of redundant equations off zero
 constexpr double kShifts[] = {1e-13, 1e-15, 1e-17};  // of the mean diagonal entry, likewise
-constexpr int kRefinements = 3;                      // of a solution of the normal equations, and of a step
+constexpr int kMostGradients = 30;                   // of a solution of the normal equations
+constexpr int kRefinements = 3;                      // of a step
 constexpr double kMissed = 0.1;     // of the equations' residual, or of its tolerance if that is larger: what a step may leave
 constexpr double kRefined = 1e-12;  // relative residual of the normal equations that is good enough
 
@@ -50,12 +49,19 @@ class NormalEquations {
     return std::isfinite(border_) && border_ > 0.0;
   }
 
+  /// By conjugate gradients, with the factors as preconditioner: what the shift and rounding spoil in them costs iterations, not digits.
   [[nodiscard]] VectorXd solve(const VectorXd& right) const {
-    VectorXd y = once(right);
-    for (int i = 0; i < kRefinements; ++i) {
-      const VectorXd left = right - a_ * d_.cwiseProduct(a_.transpose() * y);
+    VectorXd y = VectorXd::Zero(right.size()), left = right, along = once(right), towards = along;
+    double slope = left.dot(towards);
+    for (int i = 0; i < kMostGradients && slope > 0.0; ++i) {
+      const VectorXd product = a_ * d_.cwiseProduct(a_.transpose() * along);
+      const double step = slope / along.dot(product);
+      if (!std::isfinite(step)) break;
+      y += step * along, left -= step * product;
       if (left.norm() <= kRefined * right.norm()) break;
-      y += once(left);
+      towards = once(left);
+      const double next = left.dot(towards);
+      along = towards + (next / slope) * along, slope = next;
     }
     return y;
   }
@@ -138,15 +144,12 @@ class Method {
 
   std::optional<InteriorPoint> run() {
     if (!start()) return {};
-    std::optional<InteriorPoint> best;
-    double least = kUseful;
     for (int i = 0; i < kMostIterations; ++i) {
       find_residuals();
-      const double off = worst_residual();
-      if (off < least) best = InteriorPoint{{x_.begin(), x_.end()}, {y_.begin(), y_.end()}, i}, least = off;
-      if (off <= kTolerance || (best && off > kWorse * least) || !step()) return best;
+      if (is_done()) return InteriorPoint{{x_.begin(), x_.end()}, {y_.begin(), y_.end()}, i};
+      if (!step()) return {};
     }
-    return best;
+    return {};
   }
 
  private:
@@ -169,10 +172,10 @@ class Method {
     dual_ = p_.costs - p_.matrix.transpose() * y_ - z_;
     mean_ = x_.dot(z_) / static_cast<double>(x_.size());
   }
-  /// The largest of both residuals and the gap, relative.
-  [[nodiscard]] double worst_residual() const {
+  [[nodiscard]] bool is_done() const {
     const double cost = p_.costs.dot(x_), gap = std::abs(cost - p_.right.dot(y_));
-    return std::max({primal_.norm() / (1.0 + p_.right.norm()), dual_.norm() / (1.0 + p_.costs.norm()), gap / (1.0 + std::abs(cost))});
+    return primal_.norm() <= kTolerance * (1.0 + p_.right.norm()) && dual_.norm() <= kTolerance * (1.0 + p_.costs.norm()) &&
+           gap <= kTolerance * (1.0 + std::abs(cost));
   }
   struct Change {
     VectorXd x, y, z;

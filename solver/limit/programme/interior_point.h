@@ -27,8 +27,7 @@ struct InteriorPoint {
   int iterations = 0;
 };
 
-/// A solution with residuals and gap below 1e-8 of their scales, or where rounding does not allow that the best point found, if they are
-/// below 1e-6; none if the method does not converge (there may be no solution).
+/// A solution with residuals and gap below 1e-8 of their scales; none if the method does not converge (there may be no solution).
 std::optional<InteriorPoint> interior_point(const InteriorProgramme& programme);
 
 }  // namespace voussoir::solver
