@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/input/motion/spectra/demand_spectrum.h"
-#include "solver/limit/kinematic_curve.h"
+#include "solver/limit/kinematics/kinematic_curve.h"
 
 /// The kinematic verification of a local mechanism by Circolare 7/2019, C8.7.1.2.1 (Italy, to NTC 2018), linear and non-linear, at the base
 /// of a building or at a height in it. Equation numbers are those of the Circolare, read in a transcription of it that its makers have not

@@ -14,7 +14,7 @@
 #include "cases/model.h"
 #include "geometry/message.h"
 #include "geometry/nth.h"
-#include "solver/limit/mechanism.h"
+#include "solver/limit/kinematics/mechanism.h"
 
 namespace voussoir::io {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/limit/kinematic_curve.h"
+#include "solver/limit/kinematics/kinematic_curve.h"
 
 #include <doctest/doctest.h>
 

@@ -10,7 +10,7 @@
 
 #include "cases/case.h"
 #include "cases/model.h"
-#include "solver/limit/mechanism.h"
+#include "solver/limit/kinematics/mechanism.h"
 #include "solver/limit/programme/linear_programme.h"
 #include "solver/run/simulation.h"
 #include "solver/world/errors.h"

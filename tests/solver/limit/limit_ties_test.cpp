@@ -11,7 +11,7 @@
 
 #include "cases/case.h"
 #include "cases/model.h"
-#include "solver/limit/kinematic_curve.h"
+#include "solver/limit/kinematics/kinematic_curve.h"
 #include "solver/limit/limit.h"
 #include "solver/limit/programme/linear_programme.h"
 #include "tests/solver/limit/masonry.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/limit/kinematic_curve.h"
+#include "solver/limit/kinematics/kinematic_curve.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -13,7 +13,7 @@
 #include "cases/loads/loads.h"
 #include "cases/model.h"
 #include "geometry/nth.h"
-#include "solver/limit/mechanism.h"
+#include "solver/limit/kinematics/mechanism.h"
 
 namespace voussoir::solver {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/limit/mechanism.h"
+#include "solver/limit/kinematics/mechanism.h"
 
 #include <algorithm>
 #include <cmath>
