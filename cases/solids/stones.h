@@ -51,6 +51,12 @@ struct StoneTurn {
 /// Treatment of faces that are warped by more than snap.
 enum class WarpedFaces : std::uint8_t { refuse, triangles };
 
+/// How stones are made to touch.
+enum class StoneFit : std::uint8_t {
+  snap,    // faces within StonesSpec::snap of each other
+  planes,  // a plane for each pair that touches (geometry/solids/fit/fit_planes.h)
+};
+
 /// One [[stones]] table: a file or a folder of stones.
 struct StonesSpec {
   std::string file;
@@ -65,6 +71,8 @@ struct StonesSpec {
   double snap = 1e-3;                // m, faces nearer than this are in contact
   std::optional<double> gap;         // m, thickness of the mortar between faces at that distance (within snap)
   WarpedFaces warped = WarpedFaces::refuse;
+  StoneFit fit = StoneFit::snap;    // the same for all tables of a case
+  std::optional<double> fit_limit;  // m, how far the surface of a stone may move by the fit to planes; none: a share of its least width
   StoneSupports supports;
   std::optional<SupportMotion> motion;  // of its fixed stones; each turns about its own centroid, unless `about` is given
 

@@ -78,6 +78,7 @@ Table<StonesSpec> stones_table() {
   using S = StonesSpec;
   const std::vector<std::pair<std::string, std::string>> units{{"m", "m"}, {"cm", "cm"}, {"mm", "mm"}, {"in", "in"}, {"ft", "ft"}};
   const std::vector<std::pair<std::string, WarpedFaces>> warped{{"refuse", WarpedFaces::refuse}, {"triangles", WarpedFaces::triangles}};
+  const std::vector<std::pair<std::string, StoneFit>> fits{{"snap", StoneFit::snap}, {"planes", StoneFit::planes}};
   return {
       "stones out of a file: every closed body in it is one",
       {required(value<S>("file", &S::file, "", filled(), "OBJ, PLY, STL, VTU or COMPAS JSON; or a folder, each such file in it a stone")),
@@ -100,9 +101,21 @@ Table<StonesSpec> stones_table() {
            "warped", &S::warped, "", warped,
            "faces that are warped by more than snap: refused, or parted into triangles along their shortest diagonals, after which the "
            "stone is cut along its reflex edges"),
+       choice<S>(
+           "fit", &S::fit, "", fits,
+           "how stones are made to touch: within snap; or, for stones drawn with gaps, overlaps and warped faces, by one plane for each "
+           "pair that touches, the best fit of both faces, to which both are cut and filled. The same in all tables of a case"),
+       value<S>(
+           "fit_limit", &S::fit_limit, "m", above(0.0).possibly(1e-6, 10.0),
+           "with fit = \"planes\": how far the surface of a stone may move; gaps and overlaps of two stones up to the sum of their limits "
+           "are mended; none: a fifth of the least width of each stone"),
        supports_key(), table<S>("motion", &S::motion, support_motion_table())},
       [](const S& s, const RuleCheck& check) {
         if (s.gap && *s.gap <= 2.0 * s.snap) check.fault("gap", "must be above twice snap, or a bed cannot be told from a contact");
+        if (s.fit == StoneFit::planes && s.gap) check.fault("gap", "cannot be used with fit = \"planes\", which closes gaps");
+        if (s.fit == StoneFit::planes && s.warped != WarpedFaces::refuse)
+          check.fault("warped", "cannot be \"triangles\" with fit = \"planes\", which makes warped faces plane");
+        if (s.fit == StoneFit::snap && s.fit_limit) check.fault("fit_limit", "is used with fit = \"planes\" alone");
         if (s.name.find('/') != std::string::npos) check.fault("name", "cannot hold '/': it parts a stone's name from its table's");
       }};
 }

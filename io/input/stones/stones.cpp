@@ -15,6 +15,7 @@
 #include "geometry/solids/overlaps.h"
 #include "geometry/solids/triangles.h"
 #include "io/input/stones/cut_stone.h"
+#include "io/input/stones/fit_stones.h"
 #include "io/input/stones/raw_stones.h"
 #include "io/input/stones/shown_faults.h"
 #include "io/input/stones/supports.h"
@@ -43,18 +44,7 @@ bool meet(const geometry::Box3& a, const geometry::Box3& b, double reach) {
          a.low.z <= b.high.z + reach && b.low.z <= a.high.z + reach;
 }
 
-/// The state of one stone during import.
-struct Item {
-  std::size_t table = 0;
-  RawStone raw;
-  std::size_t nearly_flat = 0;   // faces merged although not exactly in one plane
-  std::size_t in_triangles = 0;  // warped faces divided into triangles
-  Mesh drawn = {};               // as read from the file
-  int taken_back = 0;            // number of resets to the drawn mesh, see Import::take_back
-  std::vector<Polyhedron> pieces = {};
-  double dents = 0.0;   // m, shallower dents were ignored when it was cut into pieces
-  double parted = 0.0;  // m, greatest depth of cuts where it overlapped other stones
-};
+using Item = StoneItem;
 
 class Import {
  public:
@@ -99,6 +89,29 @@ class Import {
       if (!fault.empty()) set_aside(items_.size() - 1, fault);
     }
     if (items_.empty()) return;
+    if (fits_planes(case_)) {
+      fit();
+    } else {
+      mend();
+    }
+    for (std::size_t i = 0; i < items_.size(); ++i) finish(i);
+  }
+
+  /// Fits all stones to planes; sets aside those that do not fit within their limits.
+  void fit() {
+    const std::vector<std::string> faults = fit_stones(case_, items_);
+    flattened_.resize(items_.size());
+    for (std::size_t i = 0, k = 0; k < faults.size(); ++k) {
+      if (faults[k].empty()) {
+        ++i;
+      } else {
+        set_aside(i, faults[k]);
+      }
+    }
+  }
+
+  /// Makes faces within snap touch, and cuts stones into convex pieces.
+  void mend() {
     for (Item& item : items_) {
       item.drawn = item.raw.mesh;
       straighten(item);
@@ -111,7 +124,6 @@ class Import {
       if (items_.size() == before) ++i;
     }
     part();
-    for (std::size_t i = 0; i < items_.size(); ++i) finish(i);
   }
 
   /// Makes the coordinates of the case and of what was read relative to the origin of the model.
@@ -330,7 +342,7 @@ class Import {
     stone.fixed = item.raw.support;
     for (Polyhedron& p : item.pieces) stone.pieces.push_back({std::move(p), {}});
     for (cases::StonePiece& piece : stone.pieces) piece.beds = beds_of(piece.shape, flattened_[i].beds);
-    stone.change = change_of(item, flattened_[i], stone);
+    stone.change = change_of(item, flattened_[i], stone.pieces.size(), inner_law(item));
     case_.stones[item.table].stones.push_back(std::move(stone));
   }
 
@@ -346,26 +358,12 @@ class Import {
     return out;
   }
 
-  [[nodiscard]] std::string change_of(const Item& item, const geometry::Flattened& done, const cases::Stone& stone) const {
-    std::string text;
-    const auto add = [&](const std::string& words) { text += (text.empty() ? "" : ", ") + words; };
-    if (item.raw.merged > 0) add(counted(item.raw.merged, "face") + " merged into others in the same plane");
-    if (item.nearly_flat > 0) add(counted(item.nearly_flat, "face") + " merged into others nearly in the same plane");
-    if (item.in_triangles > 0) add(counted(item.in_triangles, "warped face") + " parted into triangles");
-    if (!done.beds.empty()) add("grown to the middle of mortar on " + counted(done.beds.size(), "face"));
-    if (done.warped > kConvex * 1e2 && done.moved > 0.0) add("faces warped by " + geometry::millimetres(done.warped) + " made plane");
-    if (done.moved > 0.0) add("corners moved by up to " + geometry::millimetres(done.moved));
-    if (item.dents > 0.0) add("dents shallower than " + geometry::millimetres(item.dents) + " left out");
-    if (item.parted > 0.0) add("cut by " + geometry::millimetres(item.parted) + " where it lay in another stone or the base");
-    if (stone.pieces.size() > 1) {
-      const auto& materials = case_.materials;
-      const std::string& name = spec_of(item).material;
-      const auto material = name.empty() ? materials.begin() : materials.find(name);
-      const bool law = material != materials.end() && material->second.inside;
-      add("not convex, cut into " + std::to_string(stone.pieces.size()) + " pieces " +
-          (law ? "joined by the law \"" + *material->second.inside + "\"" : "that never part"));
-    }
-    return text;
+  /// Name of the law between pieces of a stone; empty: they never part.
+  [[nodiscard]] std::string inner_law(const Item& item) const {
+    const auto& materials = case_.materials;
+    const std::string& name = spec_of(item).material;
+    const auto material = name.empty() ? materials.begin() : materials.find(name);
+    return material != materials.end() && material->second.inside ? *material->second.inside : "";
   }
 
   cases::Case& case_;
