@@ -33,6 +33,8 @@ Vec3 normal_of(std::span<const FitBody> bodies, const FitContact& c) {
   return c.b < 0 ? Vec3{0, 0, -1} : normalised(n - nth(nth(bodies, c.b).faces, c.face_b).plane.normal);
 }
 
+constexpr double kMore = 3.0;  // times the misfit of its contacts: so far may one plane for all of them pass
+
 class Planes {
  public:
   Planes(std::span<const FitBody> bodies, std::span<FitContact> contacts, std::optional<double> base_z)
@@ -108,12 +110,33 @@ class Planes {
     });
   }
 
+  /// How far a plane is from the common areas of a group [m].
+  [[nodiscard]] double farthest(const std::vector<std::size_t>& group, const HalfSpace& h) const {
+    double most = 0.0;
+    for (const std::size_t k : group) {
+      for (const auto* side : {&contacts_[k].on_a, &contacts_[k].on_b}) {
+        for (const Vec3& v : *side) most = std::max(most, std::abs(height(h, v)));
+      }
+    }
+    return most;
+  }
+
+  /// The largest gap or overlap of a group, or what counts as none [m].
+  [[nodiscard]] double misfit(const std::vector<std::size_t>& group) const {
+    double most = 0.0;
+    for (const std::size_t k : group) {
+      const FitContact& c = contacts_[k];
+      most = std::max({most, -c.low, c.high, nth(bodies_, c.a).snap});
+    }
+    return most;
+  }
+
   bool give_one_plane(const std::vector<std::size_t>& group) {
     const Vec3 first = normal_of(bodies_, contacts_[group.front()]);
     const bool on_base = std::any_of(group.begin(), group.end(), [&](std::size_t k) { return contacts_[k].b < 0; });
     HalfSpace h = fit(group, first);
     if (on_base) h = {{0, 0, first.z > 0.0 ? 1.0 : -1.0}, first.z > 0.0 ? *base_z_ : -*base_z_};
-    if (!passes(group, h)) return false;
+    if (!passes(group, h) || farthest(group, h) > kMore * misfit(group)) return false;
     for (const std::size_t k : group) {
       contacts_[k].plane = dot(normal_of(bodies_, contacts_[k]), h.normal) > 0.0 ? h : turned(h);
       contacts_[k].exact = false;

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kExact = 5e-7;           // m: faces this near are in one plane
 constexpr double kOpposite = -0.8660254;  // cosine: normals are opposite within 30 degrees
+constexpr double kSmall = 0.1;            // of the smaller face
 constexpr double kSame = 0.8191520;       // cosine of 35 degrees: contacts of one plane
 
 /// Axes of a plane between two faces.
@@ -66,15 +67,19 @@ std::optional<FitContact> contact(const FlatFace& f, const FlatFace& g, double r
   const Region middle = region(shared);
   c.area = middle.area;
   if (!(c.area > 0.0) || breadth(shared, c.area) <= narrow) return std::nullopt;
-  if (std::abs(dot(on_face(p, g, middle.centroid) - on_face(p, f, middle.centroid), p.normal)) > reach) return std::nullopt;
+  const double gap = dot(on_face(p, g, middle.centroid) - on_face(p, f, middle.centroid), p.normal);
+  if (gap > 0.5 * reach || gap < -reach) return std::nullopt;
   c.low = 1e300, c.high = -1e300;
   for (const Point2 q : shared) {
     c.on_a.push_back(on_face(p, f, q)), c.on_b.push_back(on_face(p, g, q));
     const double apart = dot(c.on_b.back() - c.on_a.back(), p.normal);
     c.low = std::min(c.low, apart), c.high = std::max(c.high, apart);
   }
-  if (c.high > 2.0 * reach || c.low < -2.0 * reach) return std::nullopt;
+  if (c.high > reach || c.low < -2.0 * reach) return std::nullopt;
   c.exact = c.low > -kExact && c.high < kExact;
+  // A small part of two faces that do not fit is no joint: both meet other stones there.
+  if (std::max(-c.low, c.high) > std::max(narrow, 0.25 * reach) && c.area < kSmall * std::min(f.plane.area, g.plane.area))
+    return std::nullopt;
   return c;
 }
 

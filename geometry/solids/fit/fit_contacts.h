@@ -49,15 +49,17 @@ struct FitContact {
 };
 
 /// Contacts of two bodies, no more than one of each face of a with each of b, all of one separating plane. Faces look at each other where
-/// their normals are opposite within 30 degrees, their gap or overlap is within the sum of their limits, and their common area is broader
-/// than the snap. \param depth  m, of the overlap of the bodies; negative: apart
+/// their normals are opposite within 30 degrees, their overlap is within the sum of their limits, their gap within half of it, and their
+/// common area is broader than the snap, and no small part of both faces unless they fit within a quarter of that sum.
+/// \param depth  m, of the overlap of the bodies; 0 or less: they are apart
 std::vector<FitContact> contacts_of(std::span<const FitBody> bodies, std::int32_t a, std::int32_t b, double depth);
 
 /// Contacts of a body with the base.
 std::vector<FitContact> base_contacts_of(std::span<const FitBody> bodies, std::int32_t a, double base_z);
 
 /// Chooses the plane of each contact. Contacts that hang together by common faces get one plane where it passes all of them within half of
-/// their limits; else each pair of bodies has its own. Exact ones keep theirs. \param base_z  plane of contacts with the base
+/// their limits and within three times their largest gap or overlap; else each pair of bodies has its own. Exact ones keep theirs. \param
+/// base_z  plane of contacts with the base
 void choose_planes(std::span<const FitBody> bodies, std::span<FitContact> contacts, std::optional<double> base_z);
 
 }  // namespace voussoir::geometry

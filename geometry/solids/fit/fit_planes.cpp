@@ -7,15 +7,17 @@
 
 #include "geometry/grid.h"
 #include "geometry/nth.h"
+#include "geometry/prism.h"
 #include "geometry/solids/fit/fit_cells.h"
 #include "geometry/solids/fit/fit_contacts.h"
 #include "geometry/solids/fit/half_spaces.h"
+#include "geometry/solids/overlaps.h"
 
 namespace voussoir::geometry {
 
 namespace {
 
-constexpr double kTouching = 5e-7;        // m: overlaps that count as contact
+constexpr double kTouching = 9e-7;        // m: overlaps that count as contact
 constexpr std::size_t kMostFaces = 4096;  // of a piece that is fitted
 constexpr double kMostWork = 1e10;        // of comparing bodies, about a nanosecond each
 
@@ -39,7 +41,8 @@ class Fit {
     find_contacts();
     choose_planes(bodies_, contacts_, base_z_);
     for (std::size_t i = 0; i < bodies_.size(); ++i) shape(i);
-    part_overlaps_left();
+    part_by_faces();
+    part_midway();
     return report();
   }
 
@@ -149,8 +152,24 @@ class Fit {
     ConvexBody shape;
   };
 
+  /// Parts stones that overlap by no more than their limits where this costs the fewest contacts.
+  void part_by_faces() {
+    std::vector<DrawnPiece> pieces;
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+      for (Polyhedron& p : shapes_[i]) pieces.push_back({std::move(p), bodies_[i].stone, bodies_[i].limit});
+    }
+    const std::vector<double> depth = geometry::part_overlaps(pieces, base_z_);
+    std::size_t next = 0;
+    for (auto& of_body : shapes_) {
+      for (Polyhedron& p : of_body) {
+        p = depth[next] > 0.0 ? in_prism_order(pieces[next].shape) : std::move(pieces[next].shape);
+        ++next;
+      }
+    }
+  }
+
   /// Cuts midway what still overlaps. All cuts are found before the first is made, so their order does not matter.
-  void part_overlaps_left() {
+  void part_midway() {
     std::vector<Part> parts;
     std::vector<Box3> boxes;
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
@@ -169,8 +188,7 @@ class Fit {
       grid.query(boxes[i], near);
       for (const std::int32_t n : near) {
         const auto k = static_cast<std::size_t>(n);
-        if (k > i && bodies_[parts[i].body].stone != bodies_[parts[k].body].stone && meet(boxes[i], boxes[k]))
-          cut_midway(parts[i].shape, parts[k].shape, cuts[i], cuts[k]);
+        if (k > i && meet(boxes[i], boxes[k])) cut_midway(parts[i].shape, parts[k].shape, cuts[i], cuts[k]);
       }
     }
     for (std::size_t i = 0; i < parts.size(); ++i) {

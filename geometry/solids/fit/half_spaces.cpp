@@ -16,16 +16,34 @@ namespace {
 
 double size_of(const Box3& box) { return norm(box.high - box.low); }
 
-/// Corners count as on a plane within this, of the size; if the outcome has edges too short, the next is tried.
-constexpr double kOnPlane[] = {3e-10, 1e-9, 3e-11, 3e-9};
+constexpr double kOnPlane = 3e-10;  // of the size: corners so near count as on a plane
+constexpr double kUnnoticed =
+    1e-8;  // m: a plane that would cut off less leaves a polyhedron as it is, whose faces turn by no more than contacts allow
+constexpr double kShift = 3e-8;  // m
+constexpr int kTries = 12;       // with planes shifted by some of these
 
-/// Cuts in coordinates about a point of the box, so that stones far from the origin keep their digits.
+double height_over(const Polyhedron& p, const HalfSpace& h) {
+  double most = -1e300;
+  for (const Vec3& v : p.vertices) most = std::max(most, dot(h.normal, v) - h.offset);
+  return most;
+}
+
+/// How far a plane is shifted [m]: not at all at first, then to either side, each plane by another part of what goes unnoticed.
+double shift(std::size_t plane, int attempt) {
+  const auto steps = static_cast<int>((plane * 7 + static_cast<std::size_t>(attempt) * 3) % 11) - 5;
+  return attempt == 0 ? 0.0 : kShift * steps;
+}
+
+/// Cuts in coordinates about a point of the box, so that stones far from the origin keep their digits. Where corners nearly coincide, since
+/// a plane passes through one by chance, the planes are shifted by fractions of a micrometre.
 Polyhedron cut(const Polyhedron& p, std::span<const HalfSpace> planes, const Box3& box) {
   const Vec3 origin = box.low;
-  for (const double on_plane : kOnPlane) {
+  for (int attempt = 0; attempt < kTries; ++attempt) {
     Polyhedron left = moved(p, -origin);
-    for (const HalfSpace& h : planes) {
-      left = clipped(left, {h.normal, h.offset - dot(h.normal, origin)}, on_plane * size_of(box));
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      const HalfSpace h{planes[i].normal, planes[i].offset - dot(planes[i].normal, origin) + shift(i, attempt)};
+      if (height_over(left, h) <= kUnnoticed) continue;
+      left = clipped(left, h, kOnPlane * size_of(box));
       if (left.faces.size() < 4) return {};
     }
     try {

@@ -23,7 +23,7 @@ using geometry::Mesh;
 using geometry::Polyhedron;
 
 constexpr double kPlane = 1e-9;              // of the size, as geometry::validate
-constexpr double kShare = 0.2;               // of the least width of a stone: its limit where the case has none
+constexpr double kShare = 0.25;              // of the least width of a stone: its limit where the case has none
 constexpr double kShallow = 0.3;             // rad: folds that turn by less are of a surface that was meant to be convex or plane
 constexpr std::size_t kMostFolds = 30;       // of a stone that was meant not to be convex
 constexpr std::size_t kMostMeasured = 2048;  // corners of a stone whose width is measured by its faces
