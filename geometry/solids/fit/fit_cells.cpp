@@ -15,7 +15,7 @@ namespace {
 constexpr double kTouching = 5e-7;      // m: so much above a plane is lost to nobody
 constexpr double kKept = 0.9;           // of the area of a share: if less is kept, the body is cut
 constexpr double kWorthACut = 0.02;     // of the areas of all shares of a face: smaller shares are not worth a cut
-constexpr std::size_t kMostCells = 64;  // of one body
+constexpr std::size_t kMostCells = 16;  // of one body
 
 double area_of(std::span<const Vec3> polygon) {
   Vec3 doubled;

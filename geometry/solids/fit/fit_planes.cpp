@@ -152,12 +152,33 @@ class Fit {
     ConvexBody shape;
   };
 
+  /// Counts the work of comparing all pieces that are near each other.
+  void count_comparisons(const std::vector<DrawnPiece>& pieces) {
+    std::vector<Box3> boxes;
+    for (const DrawnPiece& p : pieces) boxes.push_back(bounds(p.shape));
+    UniformGrid grid;
+    grid.build(boxes);
+    std::vector<std::int32_t> near;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      near.clear();
+      grid.query(boxes[i], near);
+      const auto edges = static_cast<double>(pieces[i].shape.vertices.size() + pieces[i].shape.faces.size());
+      for (const std::int32_t k : near) {
+        const Polyhedron& other = nth(pieces, k).shape;
+        if (nth(pieces, k).solid != pieces[i].solid)
+          count(0.2 * edges * static_cast<double>(other.vertices.size() + other.faces.size()) *
+                (edges + static_cast<double>(other.vertices.size())));
+      }
+    }
+  }
+
   /// Parts stones that overlap by no more than their limits where this costs the fewest contacts.
   void part_by_faces() {
     std::vector<DrawnPiece> pieces;
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
       for (Polyhedron& p : shapes_[i]) pieces.push_back({std::move(p), bodies_[i].stone, bodies_[i].limit});
     }
+    count_comparisons(pieces);
     const std::vector<double> depth = geometry::part_overlaps(pieces, base_z_);
     std::size_t next = 0;
     for (auto& of_body : shapes_) {

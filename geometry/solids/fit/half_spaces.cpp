@@ -16,11 +16,11 @@ namespace {
 
 double size_of(const Box3& box) { return norm(box.high - box.low); }
 
-constexpr double kOnPlane = 3e-10;  // of the size: corners so near count as on a plane
-constexpr double kUnnoticed =
-    1e-8;  // m: a plane that would cut off less leaves a polyhedron as it is, whose faces turn by no more than contacts allow
-constexpr double kShift = 3e-8;  // m
-constexpr int kTries = 12;       // with planes shifted by some of these
+constexpr double kOnPlane = 3e-10;   // of the size: corners so near count as on a plane
+constexpr double kUnnoticed = 1e-8;  // m: a plane that would cut off less leaves a polyhedron as it is
+constexpr double kShift = 3e-8;      // m
+constexpr double kDeeper = 3e-6;     // m: where a single cut leaves edges too short, the next is so much deeper
+constexpr int kTries = 12;           // with planes shifted by some of these
 
 double height_over(const Polyhedron& p, const HalfSpace& h) {
   double most = -1e300;
@@ -63,7 +63,15 @@ Polyhedron common_part(std::span<const HalfSpace> planes, const Box3& within) {
   return cut(make_box(within.low, within.high), planes, within);
 }
 
-Polyhedron part_under(const Polyhedron& p, const HalfSpace& plane) { return cut(p, {&plane, 1}, bounds(p)); }
+Polyhedron part_under(const Polyhedron& p, const HalfSpace& plane) {
+  for (int deeper = 0; deeper < 6; ++deeper) {
+    const HalfSpace h{plane.normal, plane.offset - kDeeper * deeper};
+    if (Polyhedron left = cut(p, {&h, 1}, bounds(p)); !left.faces.empty()) return left;
+  }
+  Vec3 middle;
+  for (const Vec3& v : p.vertices) middle += v / static_cast<double>(p.vertices.size());
+  return dot(plane.normal, middle) < plane.offset ? p : Polyhedron{};
+}
 
 Farthest farthest_outside(std::span<const Polyhedron> corners_of, std::span<const Polyhedron> others) {
   std::vector<std::vector<FacePlane>> planes;

@@ -14,7 +14,8 @@ namespace voussoir::geometry {
 /// has no volume, or edges too short for a polyhedron
 Polyhedron common_part(std::span<const HalfSpace> planes, const Box3& within);
 
-/// The part of a valid polyhedron under a plane, as `common_part`.
+/// The part of a valid polyhedron under a plane, as `common_part`; where edges would be too short, under one some micrometres
+/// deeper, or the whole polyhedron if most of it is under the plane.
 Polyhedron part_under(const Polyhedron& p, const HalfSpace& plane);
 
 /// A corner outside other pieces.
