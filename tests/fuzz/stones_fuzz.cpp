@@ -16,7 +16,8 @@
 #include "io/input/stones/stones.h"
 #include "tests/fuzz/memory_file.h"
 
-// Files of stones. The first byte chooses the reader (0: by what the file begins with), whether there is a gap, and which stones are fixed.
+// Files of stones. The first byte chooses the reader (0: by what the file begins with), whether there is a gap, whether stones are
+// fitted to planes, and which are fixed.
 // Whatever a reader takes has finite corners and faces of them; whatever the import takes is valid convex polyhedra.
 
 namespace {
@@ -64,6 +65,10 @@ void import(const std::string& path, unsigned choice) {
   if (choice % 11 == 10) spec.turn.angle = 30.0;
   if (choice % 2 == 1) spec.warped = cases::WarpedFaces::triangles;
   if (choice >= 128) spec.gap = 0.01;
+  if (choice % 4 == 3) {
+    spec.fit = cases::StoneFit::planes, spec.warped = cases::WarpedFaces::refuse, spec.gap.reset();
+    if (choice % 8 == 7) spec.fit_limit = 0.1;
+  }
   constexpr cases::StoneSupports::Kind kSupports[] = {cases::StoneSupports::Kind::automatic, cases::StoneSupports::Kind::ground,
                                                       cases::StoneSupports::Kind::none, cases::StoneSupports::Kind::below,
                                                       cases::StoneSupports::Kind::named};

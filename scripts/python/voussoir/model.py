@@ -126,7 +126,8 @@ class Model:
     def add_stones(self, file: Path, *, unit: str, **keys: Any) -> None:
         """All stones of a file (OBJ, PLY, STL, VTU, COMPAS JSON) or folder. unit: m, cm, mm, in, ft.
 
-        keys: of [[stones]] (name, only, place, turn, material, joint, snap, gap, warped, supports). `place` in m, `turn` in degrees about z or a dict.
+        keys: of [[stones]] (name, only, place, turn, material, joint, snap, gap, warped, fit, fit_limit, supports). `place` in m, `turn` in degrees about
+        z or a dict.
         """
         self.case.setdefault("stones", []).append(_from_anywhere("stones", {"file": file, "unit": unit, **keys}))
 

@@ -239,6 +239,8 @@ TEST_CASE("faults: rules of stones") {
   CHECK(refusal(good + "gap = 0.5").starts_with("test.toml:4: stones[0].gap = 0.5 m: "));
   CHECK(refusal(good + "gap = 0.002").find("must be above twice snap") != std::string::npos);
   CHECK(refusal(good + "warped = \"mend\"").starts_with("test.toml:4: stones[0].warped = \"mend\": must be \"refuse\" | \"triangles\""));
+  CHECK(refusal(good + "fit = \"plane\"").starts_with("test.toml:4: stones[0].fit = \"plane\": must be \"snap\" | \"planes\""));
+  CHECK(refusal(good + "fit = \"planes\"\nfit_limit = 0.0").starts_with("test.toml:5: stones[0].fit_limit = 0"));
   CHECK(refusal(good + "name = \"a/b\"").find("cannot hold '/'") != std::string::npos);
   CHECK(refusal(good + "supports = \"roof\"").starts_with("test.toml:4: stones[0].supports = \"roof\": "));
   CHECK(refusal(good + "supports = [1, 2]").starts_with("test.toml:4: stones[0].supports[0] = 1: "));

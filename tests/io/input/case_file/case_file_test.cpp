@@ -242,6 +242,9 @@ TEST_CASE("case file: every key of stones is read") {
   CHECK(wall.snap == 1e-3);
   CHECK(!wall.gap);
   CHECK(wall.warped == cases::WarpedFaces::refuse);
+  CHECK(wall.fit == cases::StoneFit::planes);
+  CHECK(wall.fit_limit == 0.04);
+  CHECK(dome.fit == cases::StoneFit::snap);
   CHECK(wall.supports.kind == cases::StoneSupports::Kind::below);
   CHECK(wall.supports.level == 0.25);
   const auto kind = [](const std::string& word) {

@@ -119,7 +119,7 @@ TEST_CASE("fit: what would move beyond its limit is refused, all of it") {
       folder.write("deep.obj", obj({{"a", box({0, 0, 0}, {0.5, 0.3, 0.2})}, {"b", box({0.35, 0, 0}, {0.9, 0.3, 0.2})}}));
   const std::string words = refusal(file, kPlanes);
   CHECK(words.find("stone \"a\" of \"deep.obj\" would have to move by 75 mm at (0.5, ") != std::string::npos);
-  CHECK(words.find("(allowed 40 mm); set stones.fit_limit if so much is right") != std::string::npos);
+  CHECK(words.find("(allowed 50 mm); set stones.fit_limit if so much is right") != std::string::npos);
   CHECK(words.find("1 more stone is at fault: \"b\"") != std::string::npos);
   CHECK(refusal(file, kPlanes + "fit_limit = 0.08\n").empty());
   CHECK(refusal(file, kPlanes + "fit_limit = 0.07\n").find("(allowed 70 mm)") != std::string::npos);
