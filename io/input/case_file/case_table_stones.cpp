@@ -107,8 +107,7 @@ Table<StonesSpec> stones_table() {
            "pair that touches, the best fit of both faces, to which both are cut and filled. The same in all tables of a case"),
        value<S>("fit_limit", &S::fit_limit, "m", above(0.0).possibly(1e-6, 10.0),
                 "with fit = \"planes\": how far the surface of a stone may move; overlaps of two stones up to the sum of their limits, and "
-                "gaps up to half of it, "
-                "are mended; none: a quarter of the least width of each stone"),
+                "gaps up to half of it, are mended; none: a quarter of the least width of each stone"),
        supports_key(), table<S>("motion", &S::motion, support_motion_table())},
       [](const S& s, const RuleCheck& check) {
         if (s.gap && *s.gap <= 2.0 * s.snap) check.fault("gap", "must be above twice snap, or a bed cannot be told from a contact");

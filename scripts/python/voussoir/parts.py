@@ -1328,6 +1328,10 @@ class Stones(Part):
       place of the law's; none: they do not touch; in [1e-04, 0.2]
     warped: faces that are warped by more than snap: refused, or parted into triangles along their shortest diagonals, after which the stone is cut
       along its reflex edges; default "refuse"
+    fit: how stones are made to touch: within snap; or, for stones drawn with gaps, overlaps and warped faces, by one plane for each pair that
+      touches, the best fit of both faces, to which both are cut and filled. The same in all tables of a case; default "snap"
+    fit_limit, m: with fit = "planes": how far the surface of a stone may move; overlaps of two stones up to the sum of their limits, and gaps up to
+      half of it, are mended; none: a quarter of the least width of each stone; > 0, possible 1e-6 to 10
     supports: stones that are fixed: all that touch the lowest level of the file ("ground"), none of them ("none"), all that reach below a height [m],
       or those of the names and groups in an array; none: those that the file marks as supports, and if it marks none and the case has neither [base]
       nor a fixed block: "ground"; at most 1e9 in magnitude
@@ -1349,6 +1353,8 @@ class Stones(Part):
     snap: float | None = None
     gap: float | None = None
     warped: Literal["refuse", "triangles"] | None = None
+    fit: Literal["snap", "planes"] | None = None
+    fit_limit: float | None = None
     supports: float | Sequence[str] | Literal["ground", "none"] | None = None
     turn: StonesTurn | float | None = None
     motion: StonesMotion | None = None
