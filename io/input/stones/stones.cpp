@@ -15,7 +15,7 @@
 #include "geometry/solids/overlaps.h"
 #include "geometry/solids/triangles.h"
 #include "io/input/stones/cut_stone.h"
-#include "io/input/stones/fit_stones.h"
+#include "io/input/stones/fit/fit_stones.h"
 #include "io/input/stones/raw_stones.h"
 #include "io/input/stones/shown_faults.h"
 #include "io/input/stones/supports.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/input/stones/fit_stones.h"
+#include "io/input/stones/fit/fit_stones.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/input/stones/stone_item.h"
+#include "io/input/stones/fit/stone_item.h"
 
 #include "geometry/message.h"
 

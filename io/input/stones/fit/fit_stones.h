@@ -5,7 +5,7 @@
 #include <span>
 
 #include "cases/forward.h"
-#include "io/input/stones/stone_item.h"
+#include "io/input/stones/fit/stone_item.h"
 
 /// Stones of a case with `stones.fit = "planes"`. Internal to io/input/stones/.
 namespace voussoir::io {
