@@ -2,14 +2,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """The case file of a wall in shear-compression: courses in running bond, a loading beam, a jack and an actuator.
 
-The jack's load is dead: it stays vertical and goes with the beam. The actuator pushes at the height of zero moment; where the top is held
-level the beam does not turn. Segments go up to the rim of joints, so that levers are exact.
+The jack's load is dead: it stays vertical and goes with the beam. The actuator pushes at the height of zero moment, where the beam's centroid
+is (a height below the top: with a moment that has the same effect); where the top is held level the beam does not turn. Segments go up to
+the rim of joints, so that levers are exact.
 """
 import math
 
 import walls as wall_data
 
 BEAM_DENSITY = 500.0  # kg/m3; its weight counts in the jack's load
+BEAM_HEIGHT = 0.2     # m; of one with its centroid at the height of zero moment, twice the distance from the top to there
 
 
 def courses(wall):
@@ -40,6 +42,13 @@ def joint_stiffness(wall, modulus):
     return normal, normal * wall_data.SHEAR_SHARE
 
 
+def softest_contact(wall, modulus):
+    """Stiffness [Pa/m] of the softest contact that the case can have: a head joint, the bed under the beam, or two of its largest faces."""
+    plane, beam = modulus / (1.0 - wall_data.POISSON ** 2), beam_of(wall)[0] - wall.height
+    joint = 1.0 / (max(wall.unit[0], 0.5 * (wall.unit[1] + beam)) / plane + 1.0 / joint_stiffness(wall, modulus)[0])
+    return min(joint, plane / max(wall.length, beam, wall.unit[0]))
+
+
 def law_lines(name, law, more=()):
     return [f"[joint_laws.{name}]"] + [f"{key} = {rounded(value)}" for key, value in [*law.items(), *more]] + [""]
 
@@ -50,11 +59,20 @@ def block(name, material, box, thickness, halves=False):
     return text + ("halves   = true\n" if halves else "")
 
 
-def case_text(wall, modulus=None, pace=None, largest_drift=0.032, segment=None):
-    """The case as TOML. modulus: of the blocks in the run; none: the units' own."""
+def beam_of(wall):
+    """Height [m] of the beam's top, and the lever [m] by which its centroid lies above the height of zero moment."""
+    if wall.level:
+        return wall.height + BEAM_HEIGHT, 0.0
+    if wall.shear_span > 1.02 * wall.height:
+        return 2.0 * wall.shear_span - wall.height, 0.0
+    return wall.height + BEAM_HEIGHT, wall.height + 0.5 * BEAM_HEIGHT - wall.shear_span
+
+
+def case_text(wall, modulus=None, pace=None, largest_drift=0.032, segment=None, drop=0.9):
+    """The case as TOML. modulus: of the blocks in the run; none: the units' own. pace: of slow motion [s]; none: states of rest."""
     modulus = modulus or wall.unit_modulus
     normal, shear = joint_stiffness(wall, modulus)
-    beam_top = 2.0 * wall.shear_span - wall.height if not wall.level else wall.height + 0.2
+    beam_top, lever = beam_of(wall)
     beam_weight = BEAM_DENSITY * 9.81 * wall.length * wall.thickness * (beam_top - wall.height)
     lines = [f'title  = "{wall.name}: a wall in shear and compression"', 'source = "scripts/validation"', "",
              "[gravity]", "acceleration = [0.0, 0.0, -9.81]", "settle       = true", "ramp         = 0.5", "settle_limit = 2.0", "",
@@ -64,7 +82,8 @@ def case_text(wall, modulus=None, pace=None, largest_drift=0.032, segment=None):
         lines += ['kind       = "cyclic"', f"amplitudes = {amplitudes}", "cycles     = 1", f"level      = {str(wall.level).lower()}"]
     else:
         lines += ['kind          = "pushover"', 'pattern       = "given"', f"largest_drift = {largest_drift}",
-                  "largest_factor = 1000.0", "drop          = 0.9"]
+                  "largest_factor = 1000.0", f"drop          = {drop}"]
+        lines += ["level         = true"] if wall.level else []
     lines += ["direction  = [1.0, 0.0]", "longest    = 3000.0"] + ([f"pace       = {pace}"] if pace else []) + [""]
     poisson, angle = wall_data.POISSON, math.degrees(math.atan(wall.friction))
     lines += ["[materials.unit]", f"density = {wall.density}", f"young   = {rounded(modulus)}", f"poisson = {poisson}"]
@@ -87,7 +106,7 @@ def case_text(wall, modulus=None, pace=None, largest_drift=0.032, segment=None):
               "[[load]]                         # the jack", 'block = "beam"',
               f"force = [0.0, 0.0, {rounded(-(wall.load - beam_weight))}]", "",
               "[[load]]                         # the actuator; the load factor counts kN", 'block = "beam"',
-              "force = [1000.0, 0.0, 0.0]", "grows = true", ""]
+              "force = [1000.0, 0.0, 0.0]", *([f"moment = [0.0, {rounded(-1000.0 * lever)}, 0.0]"] if lever else []), "grows = true", ""]
     text = "\n".join(lines) + "\n"
     text += "\n".join(block(name, "unit", box, wall.thickness, is_whole(wall, box)) for name, *box in courses(wall))
     return text + "\n" + block("beam", "beam", (0.0, wall.length, wall.height, beam_top), wall.thickness)

@@ -87,12 +87,15 @@ def read_table(path):
 def read_curve(path):
     """Displacement [m] and force [N] of one test: two lines of words, names, units, then numbers in mm and kN."""
     with open(path, newline="", encoding="utf-8") as file:
-        lines = list(csv.reader(file))
+        lines = list(csv.reader(line.replace(";", ",") for line in file))
+    lines = lines[next(i for i, line in enumerate(lines) if "[mm]" in line) - 3:]
     names = lines[2]
-    u, f = names.index("top_displacement"), names.index("horizontal_force")
+    u, f = (names.index(one if one in names else other) for one, other in (("top_displacement", "Displacement"), ("horizontal_force", "Force")))
     if (lines[3][u], lines[3][f]) != ("[mm]", "[kN]"):
         raise ValueError(f"{path}: displacement and force in {lines[3][u]} and {lines[3][f]}; wanted [mm] and [kN]")
-    return [1e-3 * float(row[u]) for row in lines[4:]], [1e3 * float(row[f]) for row in lines[4:]]
+    rows = [(number(row[u]), number(row[f])) for row in lines[4:] if len(row) > max(u, f)]
+    rows = [(x, y) for x, y in rows if not math.isnan(x + y)]
+    return [1e-3 * x for x, _ in rows], [1e3 * y for _, y in rows]
 
 
 SOURCES = {

@@ -36,7 +36,8 @@ void check_own_keys(const Analysis& s, const RuleCheck& check) {
   only("largest_drift", s.largest_drift != plain.largest_drift, grows, to_grow);
   only("amplitudes", !s.amplitudes.empty(), cyclic, to_and_fro);
   only("cycles", s.cycles != plain.cycles, cyclic, to_and_fro);
-  only("level", s.level != plain.level, cyclic, to_and_fro);
+  const bool by_loads = cyclic || (kind == AnalysisKind::pushover && s.pattern == LoadPattern::given);
+  only("level", s.level != plain.level, by_loads, "kind = \"cyclic\", or \"pushover\" and pattern = \"given\"");
   only("control", s.control || !s.control_name.empty(), slow, any_slow);
   only("pace", s.pace.has_value(), slow, any_slow);
   only("damping", s.damping.has_value(), slow, any_slow);
@@ -143,7 +144,8 @@ Table<Analysis> analysis_table() {
            "a state of rest"),
        value<S>("path_step", &S::path_step, "", inside(0.0, 1.0),
                 "equilibrium: change of the load factor from one state to the next, of the largest so far; more where nothing breaks"),
-       value<S>("level", &S::level, "", any(), "cyclic: blocks with a load that grows do not turn (the top is held level)")},
+       value<S>("level", &S::level, "", any(),
+               "blocks with a load that grows do not turn (the top is held level): cyclic, and pushover with pattern = \"given\"")},
       check_own_keys};
 }
 

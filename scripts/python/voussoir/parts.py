@@ -1043,7 +1043,7 @@ class Analysis(Part):
       rest; in (0, 1); default 0.0001
     path_step: equilibrium: change of the load factor from one state to the next, of the largest so far; more where nothing breaks; in (0, 1); default
       0.02
-    level: cyclic: blocks with a load that grows do not turn (the top is held level); default False
+    level: blocks with a load that grows do not turn (the top is held level): cyclic, and pushover with pattern = "given"; default False
     """
 
     _table: ClassVar[str] = "analysis"

@@ -142,6 +142,9 @@ TEST_CASE("analysis: what does not go together is refused, with line, key and wh
         std::string::npos);
   CHECK(refusal("[[base.part]]\nwall = \"rear\"\nlevel = 0.2\nmotion = { velocity = [0, 0, -0.1] }\n" +
                 analysis("kind = \"settlement\"")) == "accepted");
+  CHECK(refusal(kPushed + analysis("kind = \"pushover\"\npattern = \"given\"\nlevel = true")) == "accepted");
+  CHECK(refusal(analysis("kind = \"pushover\"\nlevel = true"))
+            .find("goes only with kind = \"cyclic\", or \"pushover\" and pattern = \"given\"") != std::string::npos);
   CHECK(refusal(kPushed).find("load[0].grows") != std::string::npos);
   CHECK(refusal(kPushed + analysis("kind = \"tilt\"")).find("has no use for a [[load]] with grows = true") != std::string::npos);
   CHECK(refusal(kPushed + "ramp = [0.0, 1.0]\n" + analysis("kind = \"cyclic\"\namplitudes = [0.001]")).find("load[0].ramp") !=
