@@ -28,6 +28,15 @@ VOUSSOIR_INLINE bool has_changed_bonds(const SideLaws& a, int first, int last) n
 template <typename Use>
 VOUSSOIR_INLINE SegmentTotals with_segment_law(const SideLaws& a, Stiffness k, Strength s, double step, FailureOptions o,
                                                const Use& use) noexcept {
+  if (a.crushing != nullptr) {
+    return use([&](SegmentState& q, int i, const Local& u, const Local& rate) {
+      const auto law = [&](const Strength& left) {
+        return a.softens() ? advance_soft_segment(q, a.soft.wear[i], u, rate, step, k, left, a.soft.law, o)
+                           : advance_segment(q, u, rate, step, k, left, o);
+      };
+      return advance_under_falling_cap(law, q, a.crushed[i], s, *a.crushing);
+    });
+  }
   if (a.softens()) {
     return use([&](SegmentState& q, int i, const Local& u, const Local& rate) {
       return advance_soft_segment(q, a.soft.wear[i], u, rate, step, k, s, a.soft.law, o);

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 
 #include "kernels/laws/laws_of_side.h"
+#include "kernels/laws/segment_law.h"
 #include "kernels/segments.h"
 
 /// Pressure that a contact bears, and how its surface gives way beyond it: THEORY.md (19a)-(19c). What is crushed is gone for good: the
@@ -53,6 +55,20 @@ VOUSSOIR_INLINE double crush_segments(const NormalFields& f, double kn, double f
     q.closure(i) -= by;
   }
   return lost;
+}
+
+/// A segment of a side whose contacts crush: its cap (14), where it was crushed with its bond, falls as (19a), and what the cap takes counts
+/// as crushed (19d). \param law  of the segment otherwise: Strength -> SegmentStep
+template <typename Law>
+VOUSSOIR_INLINE SegmentStep advance_under_falling_cap(const Law& law, SegmentState& q, double& crushed, Strength s,
+                                                      const Crushing& a) noexcept {
+  if (q.bond == Bond::crushed) {
+    s.compression = crushed < a.depth ? std::min(s.compression, bearing(crushed, a)) : std::numeric_limits<double>::infinity();
+  }
+  const double closure = q.closure;
+  const SegmentStep out = law(s);
+  if (q.bond == Bond::crushed) crushed = std::min(a.depth, crushed + std::max(0.0, closure - q.closure));
+  return out;
 }
 
 }  // namespace voussoir::kernels

@@ -172,14 +172,15 @@ TEST_CASE("vector and plain segments of a dry side that stiffens as it closes go
 }
 
 TEST_CASE("vector and plain segments of a side whose contacts crush go the same way") {
-  for (int option = 0; option < 4; ++option) {
+  for (int option = 0; option < 8; ++option) {  // from 4 on bonds, too, are crushed, on a cap below what contacts bear at first
     CAPTURE(option);
     int crushed = 0, at_depth = 0;
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
       SideUnderTest u(3 + static_cast<int>(seed) % 5, 3, seed % 2 ? 0.5 : 0.0);
       if (seed % 3 == 0) u.put_onto_base();
-      if (option > 1) u.soften(soft_law(option));
-      u.crush(crushing_law(option));
+      if (option % 4 > 1) u.soften(soft_law(option % 4));
+      u.crush(crushing_law(option % 4));
+      if (option > 3) u.side.strength.compression = 4e4;
       Twin fast{u, kernels::advance_sides}, plain{u, kernels::advance_sides_reference};
       shake_together(fast, plain, seed, {}, [&](const TwoBodies&) {
         for (std::size_t k = 0; k < u.crushed.size(); ++k) {
@@ -200,6 +201,7 @@ TEST_CASE("what the springs of a side take is stored or lost, whatever path they
       Twin t{SideUnderTest(4, 4, 0.5), *kernel};
       const std::uint64_t path = seed > 32 ? seed - 20 : seed;
       if (seed > 32) t.u.crush(crushing_law(static_cast<int>(seed)));
+      if (seed > 36) t.u.side.strength.compression = 4e4;
       if (seed > 20) t.u.soften(soft_law(static_cast<int>(seed) % 4));
       t.u.side.k.cn = t.u.side.k.cs = 0.0;
       Shaker shaker{Noise(100 + path)};
@@ -217,7 +219,7 @@ TEST_CASE("what the springs of a side take is stored or lost, whatever path they
       }
       CAPTURE(seed);
       CHECK(off < 1e-3 * most);  // the work is taken to first order in the turn of a step
-      CHECK(least_loss > -1e-5 * most);
+      CHECK(least_loss > -(seed > 36 ? 1e-4 : 1e-5) * most);  // (14) goes back along the radius, whatever way the shear turns
       CHECK(t.lost > 0.1 * most);
     }
   }
