@@ -47,6 +47,8 @@ struct Case {
   Output output;
   std::optional<House> house;
   std::vector<WallSpec> walls;    // key: wall
+  std::vector<WallFloor> floors;  // key: floor, between walls
+  std::vector<WallRoof> roofs;    // key: roof, between walls
   std::vector<BlockSpec> blocks;  // key: block
   std::vector<StonesSpec> stones;
   std::vector<Load> loads;  // key: load

@@ -75,11 +75,15 @@ void add_house(const Case& c, Model& model) {
 }
 
 void add_walls(const Case& c, Model& model) {
-  if (c.walls.empty()) return;
+  if (c.walls.empty()) {
+    if (!c.floors.empty()) throw InputError("floor[0].walls", "name sides of [[wall]], of which the case has none");
+    if (!c.roofs.empty()) throw InputError("roof[0].walls", "name sides of [[wall]], of which the case has none");
+    return;
+  }
   const bool on_fixed_block = std::any_of(c.blocks.begin(), c.blocks.end(), [](const BlockSpec& b) { return b.fixed; });
   if (!c.base && !on_fixed_block && c.stones.empty())
     throw InputError("base", "a wall needs ground to stand on; add [base] with z = 0.0, or a fixed [[block]]");
-  std::vector<Block> blocks = blocks_of_walls(c.walls, model.materials);
+  std::vector<Block> blocks = blocks_of_walls(c.walls, c.floors, c.roofs, model.materials);
   number_along_plan(blocks, kCellLengths * c.walls[0].brick[0]);
   for (Block& block : blocks) {
     for (Vec3& v : block.shape.vertices) v.z += c.base ? c.base->z : 0.0;
@@ -93,6 +97,7 @@ std::string key_of(const Model& model, int element) {
   if (nth(model.blocks, element).house >= 0) return "house";
   const Block& block = nth(model.blocks, element);
   if (block.wall >= 0) return indexed_key("wall", static_cast<std::size_t>(block.wall), "");
+  if (block.span >= 0) return indexed_key(block.kind == PartKind::floor_beam ? "floor" : "roof", static_cast<std::size_t>(block.span), "");
   if (block.ground >= 0) return indexed_key("base.part", static_cast<std::size_t>(block.ground), "");
   if (block.set >= 0) return indexed_key("stones", static_cast<std::size_t>(block.set), "file");
   return indexed_key("block", static_cast<std::size_t>(block.given), "");
@@ -208,7 +213,7 @@ Model model_of_blocks(const Case& c) {
     for (NamedMaterial& loaded : loaded_materials(*c.house, model.materials)) model.materials.push_back(std::move(loaded));
   });
   faults.attempt([&] {
-    for (NamedMaterial& loaded : loaded_wall_materials(c.walls, model.materials)) model.materials.push_back(std::move(loaded));
+    for (NamedMaterial& loaded : loaded_wall_materials(c.walls, c.floors, c.roofs, model.materials)) model.materials.push_back(std::move(loaded));
   });
   if (c.base && !c.base->parts.empty()) add_ground_material(model);
   faults.attempt([&] { model.contact_friction = contact_friction(c.contact, model.materials); });
@@ -305,7 +310,7 @@ const char* name(PartKind kind) noexcept {
 
 std::string describe(const Block& block, std::size_t element) {
   const std::string number = "element " + std::to_string(element);
-  if (block.ground >= 0 || block.wall >= 0) return block.tag + " (" + number + ")";
+  if (block.ground >= 0 || block.wall >= 0 || block.span >= 0) return block.tag + " (" + number + ")";
   if (block.house < 0) return (block.set < 0 ? "block " : "stone ") + quoted(block.name) + " (" + number + ")";
   return block.tag + " (" + number + (block.house > 0 ? ", house " + std::to_string(block.house) : "") + ")";
 }

@@ -30,7 +30,7 @@ struct Block {
   double segment_size = 0.0;   // m
   PartKind kind = PartKind::block;
   std::int32_t house = -1;   // copy number of the house, −1: a free block
-  std::int32_t member = -1;  // timber member in its house (shared by the elements of one beam), −1: none
+  std::int32_t member = -1;  // timber member in its house, or among those between walls (shared by the elements of one beam), −1: none
   std::int32_t floor = -1;   // index into House::floors, of a floor beam
   std::int32_t built = -1;   // position in the building order of the house, −1: a free block
   std::int32_t leaf = -1;    // of a wall of two leaves: 2 * wall, + 1 for the inner leaf; −1: no leaf, or through both
@@ -40,6 +40,7 @@ struct Block {
   std::int32_t support_motion = -1;  // index into Model::support_motions
   std::int32_t given = -1;           // index into Case::blocks; −1: of a house or of a file
   std::int32_t wall = -1;            // index into Case::walls; −1: not of [[wall]]
+  std::int32_t span = -1;            // of a floor beam index into Case::floors, of a rafter into Case::roofs; −1: of neither
   std::int32_t unit = -1;            // shared by the two halves of a unit (of one house, or of Case::blocks); −1: in one piece
   std::int32_t ground = -1;          // index into Base::parts; −1: not ground
   std::int32_t set = -1;             // index into Case::stones; −1: not from a file

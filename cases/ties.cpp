@@ -17,6 +17,8 @@
 #include "cases/house/roofs/house_pitched.h"
 #include "cases/names.h"
 #include "cases/solids/outside.h"
+#include "cases/walls/spans/wall_floors.h"
+#include "cases/walls/spans/wall_roofs.h"
 #include "geometry/nth.h"
 #include "geometry/polygon.h"
 
@@ -195,17 +197,25 @@ void add_house_ties(const Case& c, double foot, Model& model) {
   model.tie_bill.insert(model.tie_bill.end(), bills.begin(), bills.end());
 }
 
-void add_beam_anchors(const Case& c, double foot, Model& model) {
-  std::vector<TieBill> bills(c.house->floors.size());
-  for (const PlannedTie& planned : beam_anchors(*c.house, foot)) {
-    const std::string key = indexed_key("house.floor", planned.index, "anchor");
+/// \param list  "house.floor" \param names  of the floors
+void add_beam_anchors(const Case& c, const std::vector<PlannedTie>& anchors, const char* list, const std::vector<std::string>& names,
+                      Model& model) {
+  std::vector<TieBill> bills(names.size());
+  for (const PlannedTie& planned : anchors) {
+    const std::string key = indexed_key(list, planned.index, "anchor");
     TieBar bar = place(c, model, planned.tie, {key, key}, key, {false, true});  // nailed to the beam, without a plate there
     TieBill& bill = bills[planned.index];
-    bill.name = "floor " + std::to_string(c.house->floors[planned.index].storey) + " anchors";
+    bill.name = names[planned.index] + " anchors";
     ++bill.ties, bill.anchors += 2, bill.length += norm(planned.tie.to - planned.tie.from);
     model.ties.push_back(std::move(bar));
   }
   std::ranges::copy_if(bills, std::back_inserter(model.tie_bill), [](const TieBill& b) { return b.ties > 0; });
+}
+
+std::vector<std::string> floor_names(const House& house) {
+  std::vector<std::string> names;
+  for (const Floor& f : house.floors) names.push_back("floor " + std::to_string(f.storey));
+  return names;
 }
 
 void add_roof_ties(const Case& c, double foot, Model& model) {
@@ -318,16 +328,57 @@ void check_names(const Case& c, const Model& model) {
 
 }  // namespace
 
+namespace {
+
+std::vector<std::string> names_of(const std::vector<WallFloor>& floors) {
+  std::vector<std::string> names;
+  for (const WallFloor& f : floors) names.push_back(f.name);
+  return names;
+}
+
+void add_roof_ties_between_walls(const Case& c, const WallsPlan& plan, double foot, Model& model) {
+  std::vector<TieBill> bills(c.roofs.size());
+  for (const PlannedTie& planned : wall_roof_ties(c.walls, plan, c.roofs, foot)) {
+    const std::string key = indexed_key("roof", planned.index, "tie");
+    TieBar bar = place(c, model, planned.tie, {key, key}, key, {false, false});
+    TieBill& bill = bills[planned.index];
+    bill.name = c.roofs[planned.index].name + " ties";
+    ++bill.ties, bill.anchors += 2, bill.length += norm(planned.tie.to - planned.tie.from);
+    model.ties.push_back(std::move(bar));
+  }
+  std::ranges::copy_if(bills, std::back_inserter(model.tie_bill), [](const TieBill& b) { return b.ties > 0; });
+}
+
+void add_decks_between_walls(const Case& c, const WallsPlan& plan, double foot, Model& model) {
+  const std::size_t before = c.house ? c.house->meshes.size() + c.house->floors.size() + 1 : 0;  // numbers of meshes and decks
+  for (std::size_t i = 0; i < c.floors.size(); ++i) {
+    if (c.floors[i].beams.deck) add_deck(wall_floor_deck(plan, c.floors, i, foot), c.floors[i].name + " deck", before + i, model);
+  }
+  for (std::size_t i = 0; i < c.roofs.size(); ++i) {
+    if (c.roofs[i].rafters.deck)
+      add_deck(wall_roof_deck(c.walls, plan, c.roofs, i, foot), c.roofs[i].name + " deck", before + c.floors.size() + i, model);
+  }
+}
+
+}  // namespace
+
 void place_ties(const Case& c, Model& model) {
+  const double foot = c.base ? c.base->z : 0.0;
+  const bool spans = !c.floors.empty() || !c.roofs.empty();
+  const WallsPlan plan = spans ? plan_walls(c.walls, c.floors, c.roofs) : WallsPlan{};
   add_ties(c, model);
   if (c.house) {
-    const double foot = c.base ? c.base->z : 0.0;
     add_house_ties(c, foot, model);
-    add_beam_anchors(c, foot, model);
+    add_beam_anchors(c, beam_anchors(*c.house, foot), "house.floor", floor_names(*c.house), model);
     add_roof_ties(c, foot, model);
+  }
+  add_beam_anchors(c, wall_beam_anchors(c.walls, plan, c.floors, foot), "floor", names_of(c.floors), model);
+  add_roof_ties_between_walls(c, plan, foot, model);
+  if (c.house) {
     for (std::size_t i = 0; i < c.house->meshes.size(); ++i) add_mesh(c, i, foot, model);
     add_decks(c, foot, model);
   }
+  add_decks_between_walls(c, plan, foot, model);
   check_names(c, model);
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cases/house/floors/house_floors.h"
 #include "cases/house/house_parts.h"
 #include "cases/house/roofs/house_pitched.h"
 #include "cases/house/roofs/house_vault.h"
@@ -80,11 +81,10 @@ std::optional<NamedMaterial> surcharged_roof(const House& house, std::span<const
 std::optional<NamedMaterial> loaded_floor(const House& house, std::size_t index, std::span<const NamedMaterial> materials) {
   const Floor& floor = house.floors[index];
   if (floor.load == 0.0) return std::nullopt;
-  if (!(floor.load > 0.0 && floor.load < 1e5))
-    throw InputError(indexed_key("house.floor", index, "load"), text(floor.load) + " kg/m2 is out of range; allowed: 0 to 100000");
+  const double added = floor_load_density(floor, indexed_key("house.floor", index, "load"));
   const std::int32_t bare = find_material(materials, house.wood.material, "house.wood.material");
   NamedMaterial loaded{floor_name(house, index), nth(materials, bare).value, bare};
-  loaded.value.density += floor.load * floor.spacing / (floor.beam[0] * floor.beam[1]);
+  loaded.value.density += added;
   return loaded;
 }
 

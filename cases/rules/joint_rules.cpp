@@ -73,6 +73,16 @@ JointRules::JointRules(const Case& c, const Model& model) {
     for (std::size_t i = 0; i < c.house->floors.size(); ++i)
       floors_.push_back(law(c.house->floors[i].joint, indexed_key("house.floor", i, "joint")));
   }
+  for (std::size_t i = 0; i < c.floors.size(); ++i) {
+    const WallFloor& f = c.floors[i];
+    const std::int32_t joint = law(f.beams.joint, indexed_key("floor", i, "joint"));
+    bays_.push_back({law(f.within_member, indexed_key("floor", i, "within_member")), joint, joint});
+  }
+  for (std::size_t i = 0; i < c.roofs.size(); ++i) {
+    const WallRoof& r = c.roofs[i];
+    roofs_.push_back({law(r.within_member, indexed_key("roof", i, "within_member")), law(r.joint, indexed_key("roof", i, "joint")),
+                      law(r.rafters.between_beams, indexed_key("roof", i, "between_beams"))});
+  }
   for (std::size_t i = 0; i < c.joints.between.size(); ++i) {
     const JointRule& rule = c.joints.between[i];
     Rule resolved{{geometry::kBase, geometry::kBase}, law(rule.law, indexed_key("joints.between", i, "law"))};
@@ -120,6 +130,14 @@ std::int32_t JointRules::law_in_house(const Block& a, const Block& b) const noex
   return timber_on_timber_;
 }
 
+std::int32_t JointRules::law_of_span(const Block& a, const Block* b) const noexcept {
+  const auto of = [&](const Block& x) -> const Span& { return nth(x.kind == PartKind::floor_beam ? bays_ : roofs_, x.span); };
+  if (b == nullptr) return of(a).joint;
+  if (a.span < 0 || b->span < 0) return of(a.span < 0 ? *b : a).joint;
+  if (a.member == b->member) return of(a).within;
+  return a.kind == b->kind && a.span == b->span ? of(a).between : of(a).joint;
+}
+
 bool JointRules::fits(std::size_t rule, const Block& a, const Block* b) const noexcept {
   const std::array<std::int32_t, 2> pair{rule_material(a), b == nullptr ? geometry::kBase : rule_material(*b)};
   return between_[rule].materials == pair || between_[rule].materials == std::array{pair[1], pair[0]};
@@ -129,10 +147,13 @@ bool JointRules::are_halves(const Block& a, const Block* b) noexcept {
   return b != nullptr && a.unit >= 0 && a.unit == b->unit && a.house == b->house;
 }
 
+bool JointRules::is_of_span(const Block& a, const Block* b) noexcept { return a.span >= 0 || (b != nullptr && b->span >= 0); }
+
 bool JointRules::is_in_house(const Block& a, const Block* b) noexcept { return a.house >= 0 && (b == nullptr || a.house == b->house); }
 
 std::int32_t JointRules::law(const Block& a, const Block* b) const noexcept {
   if (are_halves(a, b)) return nth(inside_, a.material);
+  if (is_of_span(a, b)) return law_of_span(a, b);
   // Columns are fixed to the ground (paper 3.3).
   if (is_in_house(a, b)) return b != nullptr ? law_in_house(a, *b) : a.kind == PartKind::column ? within_member_ : masonry_;
   for (std::size_t i = 0; i < between_.size(); ++i) {
@@ -158,7 +179,7 @@ std::vector<std::string> unused_joint_rules(const Case& c, const Model& model) {
   for (const geometry::Joint& joint : model.assembly.joints) {
     const Block& a = nth(model.blocks, joint.element_a);
     const Block* b = beyond(model, joint);
-    bool before = JointRules::is_in_house(a, b) || JointRules::are_halves(a, b) || is_of_stones(c, a, b);
+    bool before = JointRules::is_in_house(a, b) || JointRules::are_halves(a, b) || JointRules::is_of_span(a, b) || is_of_stones(c, a, b);
     for (std::size_t i = 0; i < n; ++i) {
       if (!rules.fits(i, a, b)) continue;
       (before ? taken : used)[i] = true;
@@ -171,7 +192,8 @@ std::vector<std::string> unused_joint_rules(const Case& c, const Model& model) {
     const JointRule& rule = c.joints.between[i];
     words.push_back(indexed_key("joints.between", i, "") + " (" + rule.materials[0] + ", " + rule.materials[1] + ") applies to no joint: " +
                     (taken[i] ? std::string("wherever these touch, ") +
-                                    (c.house ? "the house's own keys (house.joint, house.wood.*, house.roof.*) or an earlier rule come"
+                                    (!c.floors.empty() || !c.roofs.empty() ? "the keys of [[floor]] and [[roof]] (joint, within_member) or an earlier rule come"
+                                     : c.house ? "the house's own keys (house.joint, house.wood.*, house.roof.*) or an earlier rule come"
                                      : c.stones.empty() ? "an earlier rule comes"
                                                         : "stones.joint or an earlier rule comes") +
                                     " first"

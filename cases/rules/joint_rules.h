@@ -25,6 +25,8 @@ class JointRules {
   [[nodiscard]] bool fits(std::size_t rule, const Block& a, const Block* b) const noexcept;
   /// Whether the two blocks are the halves of one unit.
   [[nodiscard]] static bool are_halves(const Block& a, const Block* b) noexcept;
+  /// Whether one of the two is a beam or rafter between walls, which has separate keys for its joints.
+  [[nodiscard]] static bool is_of_span(const Block& a, const Block* b) noexcept;
   /// Whether the joint belongs to a house, which has separate keys for its joints.
   [[nodiscard]] static bool is_in_house(const Block& a, const Block* b) noexcept;
 
@@ -36,6 +38,9 @@ class JointRules {
   [[nodiscard]] std::int32_t rule_material(const Block& block) const noexcept;
   [[nodiscard]] std::int32_t law_in_house(const Block& a, const Block& b) const noexcept;
 
+  /// The law of a joint with a beam or rafter between walls; `b` is null for the base.
+  [[nodiscard]] std::int32_t law_of_span(const Block& a, const Block* b) const noexcept;
+
   [[nodiscard]] bool is_edge_beam(const Block& block) const noexcept;
 
   std::int32_t masonry_ = 0, within_member_ = 0, collar_ = 0, between_members_ = 0, timber_on_timber_ = 0, between_beams_ = 0,
@@ -44,6 +49,10 @@ class JointRules {
   std::vector<std::int32_t> inside_;                  // by material, between the halves of a unit; −1: none
   std::vector<std::int32_t> floors_;                  // between beams and walls, by House::floors
   std::vector<std::int32_t> made_from_;               // by material
+  struct Span {
+    std::int32_t within = 0, joint = 0, between = 0;  // within a member; of members with all else; of members of one roof
+  };
+  std::vector<Span> bays_, roofs_;  // by Case::floors, Case::roofs
   std::vector<Rule> between_;
   std::int32_t default_ = 0;
 };

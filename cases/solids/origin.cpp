@@ -39,6 +39,13 @@ void each_of_model(C& c, Use use) {
   for (std::size_t i = 0; i < c.walls.size(); ++i) {
     for (auto& p : c.walls[i].points) use(p[0], x, indexed_key("wall", i, "points")), use(p[1], y, indexed_key("wall", i, "points"));
   }
+  const auto plan = [&](auto& list, const char* name) {
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const std::string key = indexed_key(name, i, "corners");
+      for (auto& p : list[i].corners) use(p[0], x, key), use(p[1], y, key);
+    }
+  };
+  plan(c.floors, "floor"), plan(c.roofs, "roof");
   for (std::size_t i = 0; i < c.blocks.size(); ++i) each_of_block(c.blocks[i], indexed_key("block", i, "") + ".", use);
   for (std::size_t t = 0; t < c.stones.size(); ++t) {
     const std::string key = indexed_key("stones", t, "file");

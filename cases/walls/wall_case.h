@@ -45,8 +45,34 @@ struct WallSpec {
   WallBond bond = WallBond::english;
   std::string material;
   WallMeeting meeting = WallMeeting::toothed;
-  double load = 0.0;  // kg per m of its length, carried by its top course
+  double load = 0.0;  // kg per m of its length, carried by the course that ends at `height`
+  std::vector<std::array<double, 2>> tops;  // m: places along the wall's line, and the height of its top there, straight from one to the next
+  std::optional<double> gable;              // m, height of its top in the middle of a wall of one side; at its ends it is `height`
   std::vector<WallOpening> openings;
 };
+
+/// Beams between two sides of walls, in pockets or upon the walls. A side has the name of its wall, with a number if there are several.
+struct WallFloor {
+  std::string name;
+  std::vector<std::string> walls;              // the two sides
+  std::vector<std::array<double, 2>> corners;  // m, four in turn: beams lie within this quadrilateral; none: in all that lies between
+  std::optional<std::array<double, 2>> direction;  // of the beams in plan; none: square to the first side
+  std::optional<double> level;                     // m, of the beams' upper faces above the base; none: the lower top of the two
+  std::string material, within_member = "wood";    // within_member: law between elements of a beam
+  Floor beams;                                     // its storey and `along` are not used
+};
+
+/// Pairs of rafters between two parallel sides of walls of the same height.
+struct WallRoof {
+  std::string name;
+  std::vector<std::string> walls;              // the two sides
+  std::vector<std::string> gables;             // sides that rise to the rafters' underside
+  std::vector<std::array<double, 2>> corners;  // m, as of a floor
+  std::string material, within_member = "wood", joint = "dry";
+  Roof rafters;  // its kind and what belongs to other kinds are not used
+};
+
+inline const std::vector<WallFloor> kNoFloors;
+inline const std::vector<WallRoof> kNoRoofs;
 
 }  // namespace voussoir::cases

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string>
 
@@ -13,9 +14,12 @@
 #include "cases/house/walls/arches.h"
 #include "cases/names.h"
 #include "cases/walls/wall_meetings.h"
+#include "cases/walls/wall_tops.h"
 
 namespace voussoir::cases {
 namespace {
+
+constexpr std::size_t kNobody = static_cast<std::size_t>(-1);
 
 std::string opening_key(std::size_t wall, std::size_t opening, const char* field) {
   return indexed_key(wall_key(wall, "opening"), opening, field);
@@ -63,19 +67,23 @@ struct Obstacle {
   std::string words;
 };
 
-/// Obstacles for a hole: where other legs meet this one, other openings, the free ends.
-std::vector<Obstacle> obstacles_for(const WallsPlan& plan, const Leg& leg, const LegHole& hole) {
+const Leg& other_leg(const WallsPlan& plan, const Station& s) {
+  const Meeting& m = plan.meetings[s.meeting];
+  return plan.legs[s.host ? m.guest : m.host];
+}
+
+Obstacle meeting_of(const WallsPlan& plan, const Leg& leg, const Station& s) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  const double before = std::min(s.low(leg.half), s.low(-leg.half)), behind = std::max(s.high(leg.half), s.high(-leg.half));
+  return {s.end == LegEnd::low ? -kFar : before, s.end == LegEnd::high ? kFar : behind,
+          "the " + other_leg(plan, s).tag + " meets it from " + length_text(before) + " to " + length_text(behind) + " m"};
+}
+
+/// Obstacles for a hole in a leg: other openings, the free ends.
+std::vector<Obstacle> obstacles_in(const Leg& leg, const LegHole& hole) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   constexpr std::array kKeys{"from", "lintel", "arch"};
   std::vector<Obstacle> all;
-  for (const Station& s : leg.stations) {
-    const Meeting& m = plan.meetings[s.meeting];
-    const Leg& other = plan.legs[s.host ? m.guest : m.host];
-    if (!hole.height.overlaps(other.height)) continue;
-    const double before = std::min(s.low(leg.half), s.low(-leg.half)), behind = std::max(s.high(leg.half), s.high(-leg.half));
-    all.push_back({s.end == LegEnd::low ? -kFar : before, s.end == LegEnd::high ? kFar : behind,
-                   "the " + other.tag + " meets it from " + length_text(before) + " to " + length_text(behind) + " m"});
-  }
   for (const LegHole& other : leg.holes) {
     if (other.opening == hole.opening || !other.height.overlaps(hole.height)) continue;
     all.push_back({other.low, other.high,
@@ -85,6 +93,16 @@ std::vector<Obstacle> obstacles_for(const WallsPlan& plan, const Leg& leg, const
   if (leg.ring) return all;
   if (leg.end(LegEnd::low) == nullptr) all.push_back({-kFar, 0.0, "it begins"});
   if (leg.end(LegEnd::high) == nullptr) all.push_back({leg.length(), kFar, "it ends at " + length_text(leg.length()) + " m"});
+  return all;
+}
+
+/// The same, and where other legs meet this one, before them.
+std::vector<Obstacle> obstacles_for(const WallsPlan& plan, const Leg& leg, const LegHole& hole) {
+  std::vector<Obstacle> all;
+  for (const Station& s : leg.stations) {
+    if (hole.height.overlaps(other_leg(plan, s).height)) all.push_back(meeting_of(plan, leg, s));
+  }
+  std::ranges::move(obstacles_in(leg, hole), std::back_inserter(all));
   return all;
 }
 
@@ -190,6 +208,19 @@ void add_levels(const WallSpec& wall, std::size_t index, std::vector<Level>& lev
   }
 }
 
+/// Levels of the beams that end in a group of walls: their undersides, and their upper faces.
+void add_beam_levels(const std::vector<WallFloor>& floors, const WallsPlan& plan, std::size_t group, std::vector<Level>& levels) {
+  for (std::size_t i = 0; i < floors.size(); ++i) {
+    const bool here = std::ranges::any_of(plan.legs, [&](const Leg& leg) {
+      return plan.group[leg.wall] == group && std::ranges::any_of(leg.pockets, [&](const Pocket& p) { return p.floor == i; });
+    });
+    if (!here) continue;
+    const Interval height = plan.floors[i].height;
+    if (floors[i].level) levels.push_back({height.high, indexed_key("floor", i, "level"), *floors[i].level, true});
+    levels.push_back({height.low, indexed_key("floor", i, "beam"), floors[i].beams.beam[1], true, -1});
+  }
+}
+
 /// Courses between two levels: equal, and as near to a brick's height as whole numbers allow.
 void add_courses(Interval between, Tick brick, Courses& courses) {
   const Tick n = whole_number(between.length(), brick);
@@ -197,6 +228,21 @@ void add_courses(Interval between, Tick brick, Courses& courses) {
 }
 
 }  // namespace
+
+std::optional<std::string> in_the_way_of(const WallSpec& wall, const WallsPlan& plan, const Leg& leg, const Pocket& pocket) {
+  const double least = least_piece(wall) - kPlanTolerance;
+  for (const Station& s : leg.stations) {  // cut as obliquely as the walls that meet there
+    if (!other_leg(plan, s).height.overlaps(pocket.height)) continue;
+    const bool before = s.end != LegEnd::low && shorter_side(pocket.high, s.low, leg.half) >= least;
+    const bool behind = s.end != LegEnd::high && shorter_side(s.high, pocket.low, leg.half) >= least;
+    if (!before && !behind) return meeting_of(plan, leg, s).words;
+  }
+  const double low = std::min(pocket.low(pocket.from), pocket.low(pocket.to));
+  const double high = std::max(pocket.high(pocket.from), pocket.high(pocket.to));
+  const std::vector<Obstacle> all = obstacles_in(leg, {low, high, pocket.height, kNobody});
+  const Obstacle* hit = in_the_way(all, low, high, least_piece(wall));
+  return hit == nullptr ? std::nullopt : std::optional(hit->words);
+}
 
 void add_wall_openings(const std::vector<WallSpec>& walls, WallsPlan& plan) {
   Faults faults;
@@ -207,7 +253,7 @@ void add_wall_openings(const std::vector<WallSpec>& walls, WallsPlan& plan) {
   for (Leg& l : plan.legs) std::ranges::sort(l.holes, {}, &LegHole::low);
 }
 
-void plan_wall_courses(const std::vector<WallSpec>& walls, WallsPlan& plan) {
+void plan_wall_courses(const std::vector<WallSpec>& walls, const std::vector<WallFloor>& floors, WallsPlan& plan) {
   Faults faults;
   plan.courses.resize(walls.size());
   for (std::size_t first = 0; first < walls.size(); ++first) {
@@ -222,10 +268,15 @@ void plan_wall_courses(const std::vector<WallSpec>& walls, WallsPlan& plan) {
                                               text(walls[first].brick[2]) + " m, as of the wall " + quoted(walls[first].name)});
       add_levels(walls[w], w, levels);
     }
+    for (std::size_t w = first; w < walls.size(); ++w) {
+      if (plan.group[w] == first) add_top_levels(walls[w], plan, w, levels);
+    }
+    add_beam_levels(floors, plan, first, levels);
     std::vector<Tick> beds;
     for (const Level& l : kept_levels(levels, std::max<Tick>(1, brick / 5), faults)) beds.push_back(l.at);
     std::ranges::sort(beds);
     beds.erase(std::unique(beds.begin(), beds.end()), beds.end());
+    while (beds.back() < crown_of(plan, first)) beds.push_back(beds.back() + brick);  // of a gable: cut along its top
     for (std::size_t i = 0; i + 1 < beds.size(); ++i) add_courses({beds[i], beds[i + 1]}, brick, plan.courses[first]);
   }
   faults.raise();

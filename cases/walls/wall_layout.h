@@ -4,9 +4,11 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "cases/walls/wall_plan.h"
+#include "geometry/polyhedron.h"
 
 /// The bricks of a course in plan. Internal to cases/.
 ///
@@ -17,9 +19,18 @@ namespace voussoir::cases {
 
 /// A brick in plan: a convex quadrangle, counter-clockwise seen from above.
 struct PlanBrick {
-  std::array<Vec3, 4> corners;  // m, z = 0
-  bool whole = false;           // not cut
+  std::array<Vec3, 4> corners;                // m, z = 0
+  bool whole = false;                         // not cut
+  Interval height;                            // above the base
+  std::optional<geometry::Polyhedron> shape;  // of one that is cut along its top; none: an upright prism
+  double share = 1.0;                         // of a whole one's section, if it is cut along its top
 };
+
+/// A prism across a straight leg. \param section  along the leg and height [m], counter-clockwise \param from, to  range of d
+geometry::Polyhedron across(const Leg& leg, const geometry::Polygon& section, double from, double to);
+
+/// An upright prism over a convex quadrangle, counter-clockwise seen from above.
+geometry::Polyhedron upright(const std::array<Vec3, 4>& plan, Interval height);
 
 /// The bricks of a leg in a course. \param course  index into the courses of its group
 std::vector<PlanBrick> lay_wall_course(const WallSpec& wall, const WallsPlan& plan, const Leg& leg, int course);

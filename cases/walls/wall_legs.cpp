@@ -112,6 +112,7 @@ class Polyline {
     leg.half = 0.5 * wall_.thickness;
     leg.line = wall_.line == WallLine::left ? leg.half : wall_.line == WallLine::right ? -leg.half : 0.0;
     leg.height = {ticks(wall_.base), ticks(wall_.base + wall_.height)};
+    leg.eaves = leg.height.high;
     return leg;
   }
 

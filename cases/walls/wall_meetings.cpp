@@ -64,7 +64,7 @@ class Finder {
   [[nodiscard]] Station strip(LegSide a, LegSide b) const {
     const Facet &fa = facet(a), &fb = facet(b);
     const double sine = dot(fa.along, fb.across), slope = -dot(fa.across, fb.across) / sine, off = dot(fa.from - fb.from, fb.across);
-    const auto face = [&](double e) { return Cut{fa.start + (e - off) / sine, slope}; };
+    const auto face = [&](double e) { return LegCut{fa.start + (e - off) / sine, slope}; };
     Station s;
     s.low = face(sine > 0.0 ? -leg(b.leg).half : leg(b.leg).half);
     s.high = face(sine > 0.0 ? leg(b.leg).half : -leg(b.leg).half);
@@ -86,10 +86,10 @@ class Finder {
   }
 
   /// The cuts at the ends of a facet. \param through  at an end in another wall: at its far face, else at the near one
-  [[nodiscard]] std::pair<Cut, Cut> ends_of(LegSide a, bool through) const {
+  [[nodiscard]] std::pair<LegCut, LegCut> ends_of(LegSide a, bool through) const {
     const Leg& l = leg(a.leg);
     const Facet& f = facet(a);
-    std::pair<Cut, Cut> ends{{f.start, 0.0}, {f.start + f.length, 0.0}};
+    std::pair<LegCut, LegCut> ends{{f.start, 0.0}, {f.start + f.length, 0.0}};
     const auto ending = [&](LegEnd which) -> const Station* {
       if (const Station* s = l.end(which)) return s;
       const auto found = free_ends_.find({a.leg, which});
@@ -235,8 +235,8 @@ class Finder {
 
 }  // namespace
 
-double shorter_side(const Cut& a, const Cut& b, double half) noexcept { return std::min(b(half) - a(half), b(-half) - a(-half)); }
-double longer_side(const Cut& a, const Cut& b, double half) noexcept { return std::max(b(half) - a(half), b(-half) - a(-half)); }
+double shorter_side(const LegCut& a, const LegCut& b, double half) noexcept { return std::min(b(half) - a(half), b(-half) - a(-half)); }
+double longer_side(const LegCut& a, const LegCut& b, double half) noexcept { return std::max(b(half) - a(half), b(-half) - a(-half)); }
 
 void find_meetings(const std::vector<WallSpec>& walls, const std::vector<Corner>& corners, WallsPlan& plan) {
   Finder(walls, corners, plan).find();

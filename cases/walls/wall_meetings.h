@@ -14,7 +14,7 @@ namespace voussoir::cases {
 void find_meetings(const std::vector<WallSpec>& walls, const std::vector<Corner>& corners, WallsPlan& plan);
 
 /// Least and greatest distance between two cuts in a leg, from `a` to `b` along it [m].
-double shorter_side(const Cut& a, const Cut& b, double half) noexcept;
-double longer_side(const Cut& a, const Cut& b, double half) noexcept;
+double shorter_side(const LegCut& a, const LegCut& b, double half) noexcept;
+double longer_side(const LegCut& a, const LegCut& b, double half) noexcept;
 
 }  // namespace voussoir::cases

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
 
 #include "cases/house/house_plan.h"
 #include "cases/walls/wall_case.h"
+#include "geometry/polygon.h"
 #include "geometry/vec3.h"
 
 /// The plan of walls: straight parts, places where they meet, openings, courses. Internal to cases/.
@@ -28,7 +30,7 @@ struct Facet {
 };
 
 /// A plane across a leg: s = at + slope * d.
-struct Cut {
+struct LegCut {
   double at = 0.0, slope = 0.0;
   [[nodiscard]] double operator()(double d) const noexcept { return at + slope * d; }
 };
@@ -41,7 +43,7 @@ struct Station {
   std::size_t meeting = 0;  // index into WallsPlan::meetings
   bool host = false;        // whether this leg is the host of the meeting
   LegEnd end = LegEnd::none;
-  Cut low, high;
+  LegCut low, high;
 };
 
 /// A place where two legs meet. The host runs through in even courses; in odd ones the guests at one place do so in turn.
@@ -62,6 +64,23 @@ struct LegHole {
   HoleKind kind = HoleKind::opening;
 };
 
+/// A part of a leg that the end of a beam fills, from a face inwards or from face to face.
+struct Pocket {
+  LegCut low, high;
+  double from = 0.0, to = 0.0;  // m, of d
+  Interval height;              // above the base
+  std::size_t floor = 0;        // of the case
+};
+
+/// A part of a leg that rises above the height of its wall: a gable, a parapet. Bricks of its courses are cut to it.
+struct Hill {
+  geometry::Polygon under;       // (s, height above the base) [m], convex, counter-clockwise, from the height of the wall up
+  double from = 0.0, to = 0.0;   // m, range of s
+  double crown = 0.0;            // m
+  Tick last = 0;                 // where its uppermost course begins, which reaches to the crown
+  std::string key;               // of the case
+};
+
 struct Leg {
   std::size_t wall = 0;  // of the case
   std::string tag;       // "street wall"; of several legs "street 2 wall"; not along x or y: "street 2 walling", for
@@ -72,16 +91,48 @@ struct Leg {
   std::vector<Facet> facets;
   std::vector<Station> stations;  // ascending
   std::vector<LegHole> holes;     // ascending
-  Interval height;                // above the base
+  std::vector<Pocket> pockets;
+  std::vector<Hill> hills;  // ascending
+  Tick eaves = 0;                 // above the base: the height of its wall
+  Interval height;                // above the base, up to the highest of its hills
 
   [[nodiscard]] double length() const noexcept { return facets.back().start + facets.back().length; }
   /// The point (s, d) in plan; across a bend d runs along the bisector.
   [[nodiscard]] Vec3 at(double s, double d) const noexcept;
   [[nodiscard]] const Station* end(LegEnd which) const noexcept;
+  /// The highest that bricks reach between two places [m, of s], above the base.
+  [[nodiscard]] double highest(double from, double to) const noexcept;
 };
 
 /// A course of the walls that are joined; all of them have the same.
 using Courses = std::vector<Interval>;
+
+/// A face of a leg: d is constant.
+struct WallFace {
+  std::size_t leg = 0;
+  double d = 0.0;  // m
+};
+
+/// The ground between two faces. Its own coordinates: u across the beams, along the first wall; v along them, from the first to the second.
+struct Bay {
+  Vec3 from, across, along;       // origin, unit vectors of u and v; z = 0
+  std::array<WallFace, 2> faces;  // those that look at each other
+  double low = 0.0, high = 0.0;   // m, range of u in which both lie
+
+  [[nodiscard]] Vec3 at(double u, double v) const noexcept { return from + u * across + v * along; }
+};
+
+/// A beam in plan: its range of u, and v of its ends at the lower and the higher u.
+struct BayBeam {
+  Interval across;
+  std::array<std::array<double, 2>, 2> ends{};  // m, by end, by side
+};
+
+struct BayFloor {
+  Bay bay;
+  Interval height;                          // above the base
+  std::vector<std::vector<BayBeam>> rooms;  // between the walls that meet the two
+};
 
 struct WallsPlan {
   std::vector<Leg> legs;
@@ -89,10 +140,13 @@ struct WallsPlan {
   std::vector<std::size_t> group;  // by wall: walls that meet have the same
   std::vector<Courses> courses;    // by group
   std::vector<HousePlan> bricks;   // by wall: size of its bricks and its bond, for wythes()
+  std::vector<BayFloor> floors;    // by floor of the case
+  std::vector<Bay> roofs;          // by roof of the case
 };
 
-/// Checks all walls and lays out their plan. \throw InputError, or InputErrors with all that is at fault
-WallsPlan plan_walls(const std::vector<WallSpec>& walls);
+/// Checks all walls, and what spans between them, and lays out their plan. \throw InputError, or InputErrors with all that is at fault
+WallsPlan plan_walls(const std::vector<WallSpec>& walls, const std::vector<WallFloor>& floors = kNoFloors,
+                     const std::vector<WallRoof>& roofs = kNoRoofs);
 
 /// Key of a wall: "wall[1].points".
 std::string wall_key(std::size_t wall, const char* field);

@@ -10,23 +10,15 @@
 #include "cases/house/house_wall.h"
 #include "cases/house/walls/arches.h"
 #include "cases/names.h"
+#include "cases/walls/spans/wall_floors.h"
 #include "cases/walls/wall_layout.h"
 #include "cases/walls/wall_plan.h"
+#include "cases/walls/spans/wall_roofs.h"
 
 namespace voussoir::cases {
 namespace {
 
 std::string loaded_name(const WallSpec& wall) { return wall.material + " under " + text(wall.load) + " kg/m on " + wall.name; }
-
-/// An upright prism over a quadrangle in plan.
-geometry::Polyhedron upright(const std::array<Vec3, 4>& plan, Interval height) {
-  std::array<Vec3, 8> corners;
-  for (std::size_t i = 0; i < 4; ++i) {
-    corners[i] = {plan[i].x, plan[i].y, metres(height.low)};
-    corners[i + 4] = {plan[i].x, plan[i].y, metres(height.high)};
-  }
-  return geometry::make_hexahedron(corners);
-}
 
 const Courses& courses_of(const WallsPlan& plan, std::size_t wall) { return plan.courses[plan.group[wall]]; }
 
@@ -59,10 +51,10 @@ void add_bricks(const WallSpec& wall, const WallsPlan& plan, const Leg& leg, std
   block.kind = PartKind::walling;
   block.tag = leg.tag;
   block.wall = static_cast<std::int32_t>(leg.wall);
-  block.material = height.high == leg.height.high ? materials.top : materials.bricks;
+  block.material = height.high == leg.eaves ? materials.top : materials.bricks;
   block.segment_size = segment_size_of(bricks.brick_length, bricks.brick_width, bricks.brick_height);
   for (const PlanBrick& b : lay_wall_course(wall, plan, leg, static_cast<int>(course))) {
-    block.shape = upright(b.corners, height);
+    block.shape = b.shape ? *b.shape : upright(b.corners, b.height);
     block.whole = b.whole;
     blocks.push_back(block);
   }
@@ -81,18 +73,6 @@ void add_lintels(const WallSpec& wall, const Leg& leg, const WallMaterials& mate
         upright({leg.at(h.low, -leg.half), leg.at(h.high, -leg.half), leg.at(h.high, leg.half), leg.at(h.low, leg.half)}, h.height);
     blocks.push_back(block);
   }
-}
-
-/// A prism across a straight leg. \param section  along the leg and height [m], counter-clockwise \param from, to  range of d
-geometry::Polyhedron across(const Leg& leg, const geometry::Polygon& section, double from, double to) {
-  std::vector<std::array<double, 2>> corners;
-  for (const geometry::Point2 p : section) corners.push_back({p.s, p.t});
-  geometry::Polyhedron shape = geometry::make_prism(corners, -to, -from);
-  for (Vec3& v : shape.vertices) {
-    const Vec3 plan = leg.at(v.y, -v.x);
-    v = {plan.x, plan.y, v.z};
-  }
-  return shape;
 }
 
 void add_arches(const WallSpec& wall, const HousePlan& bricks, const Leg& leg, const WallMaterials& materials, std::vector<Block>& blocks) {
@@ -118,12 +98,13 @@ void add_arches(const WallSpec& wall, const HousePlan& bricks, const Leg& leg, c
 
 }  // namespace
 
-std::vector<Block> blocks_of_walls(const std::vector<WallSpec>& walls, std::span<const NamedMaterial> materials) {
+std::vector<Block> blocks_of_walls(const std::vector<WallSpec>& walls, const std::vector<WallFloor>& floors,
+                                   const std::vector<WallRoof>& roofs, std::span<const NamedMaterial> materials) {
   Faults faults;
   std::vector<WallMaterials> of_wall;
   for (std::size_t i = 0; i < walls.size(); ++i) of_wall.push_back(materials_of(walls[i], i, materials, faults));
   WallsPlan plan;
-  faults.attempt([&] { plan = plan_walls(walls); });
+  faults.attempt([&] { plan = plan_walls(walls, floors, roofs); });
   faults.raise();
   for (std::size_t i = 0; i < walls.size(); ++i) {
     of_wall[i].top = walls[i].load > 0.0 ? find_material(materials, loaded_name(walls[i]), wall_key(i, "load")) : of_wall[i].bricks;
@@ -137,13 +118,23 @@ std::vector<Block> blocks_of_walls(const std::vector<WallSpec>& walls, std::span
     add_lintels(walls[leg.wall], leg, of_wall[leg.wall], blocks);
     add_arches(walls[leg.wall], plan.bricks[leg.wall], leg, of_wall[leg.wall], blocks);
   }
+  std::int32_t members = 0;
+  add_floor_beams(plan, floors, materials, members, blocks);
+  add_rafters(walls, plan, roofs, materials, members, blocks);
   return blocks;
 }
 
-std::vector<NamedMaterial> loaded_wall_materials(const std::vector<WallSpec>& walls, std::span<const NamedMaterial> materials) {
-  std::vector<NamedMaterial> all;
-  if (std::ranges::none_of(walls, [](const WallSpec& w) { return w.load > 0.0; })) return all;
-  const WallsPlan plan = plan_walls(walls);
+std::vector<NamedMaterial> loaded_wall_materials(const std::vector<WallSpec>& walls, const std::vector<WallFloor>& floors,
+                                                 const std::vector<WallRoof>& roofs, std::span<const NamedMaterial> materials) {
+  std::vector<NamedMaterial> all = loaded_floor_materials(floors, materials);
+  Faults faults;
+  for (std::size_t i = 0; i < roofs.size(); ++i)
+    faults.attempt([&] { find_material(materials, roofs[i].material, indexed_key("roof", i, "material")); });
+  faults.raise();
+  const bool any_loaded = std::ranges::any_of(walls, [](const WallSpec& w) { return w.load > 0.0; });
+  if (!any_loaded && std::ranges::none_of(roofs, [](const WallRoof& r) { return r.rafters.surcharge != 0.0; })) return all;
+  const WallsPlan plan = plan_walls(walls, floors, roofs);
+  for (NamedMaterial& m : loaded_roof_materials(walls, plan, roofs, materials)) all.push_back(std::move(m));
   for (std::size_t i = 0; i < walls.size(); ++i) {
     if (walls[i].load == 0.0) continue;
     const std::int32_t bare = find_material(materials, walls[i].material, wall_key(i, "material"));
@@ -156,8 +147,9 @@ std::vector<NamedMaterial> loaded_wall_materials(const std::vector<WallSpec>& wa
   return all;
 }
 
-std::vector<AdaptedBricks> adapted_bricks(const std::vector<WallSpec>& walls) {
-  const WallsPlan plan = plan_walls(walls);
+std::vector<AdaptedBricks> adapted_bricks(const std::vector<WallSpec>& walls, const std::vector<WallFloor>& floors,
+                                          const std::vector<WallRoof>& roofs) {
+  const WallsPlan plan = plan_walls(walls, floors, roofs);
   std::vector<AdaptedBricks> all;
   for (std::size_t i = 0; i < walls.size(); ++i) {
     const auto& [length, width, height] = walls[i].brick;

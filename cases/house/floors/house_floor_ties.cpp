@@ -21,17 +21,12 @@ Tie anchor_at(const House& house, const HousePlan& plan, std::size_t index, Inte
   const FloorPlan& laid = plan.floors[index];
   const BeamEnds ends = ends_of(floor);
   const double bearing = metres(ticks(floor.bearing)), across = 0.5 * metres(beam.low + beam.high);
-  const double end = metres(high_end ? laid.length.high : laid.length.low), inwards = high_end ? -1.0 : 1.0;
+  const double end = metres(high_end ? laid.length.high : laid.length.low);
   const double wall = metres(plan.wall(high_end ? ends.high : ends.low, floor.storey - 1).thickness);
   const double middle = 0.5 * metres(laid.height.low + laid.height.high);
-  Tie tie = floor.anchor->bar;
-  tie.from = on_floor(floor, end + inwards * (bearing + floor.anchor->reach), across, middle);
-  if (floor.anchorage == Anchorage::anchor) {
-    tie.to = on_floor(floor, end - inwards * (wall - bearing), across, middle);
-  } else {  // in the middle of the bed under the beam's end, half a course down
-    tie.to = on_floor(floor, end + inwards * 0.5 * bearing, across, metres(laid.height.low) - 0.25 * metres(plan.brick_height));
-  }
-  return tie;
+  const Vec3 inwards = on_floor(floor, high_end ? -1.0 : 1.0, 0.0, 0.0);
+  return beam_anchor(floor, {on_floor(floor, end, across, middle), inwards, bearing, wall - bearing, metres(laid.height.low),
+                             metres(plan.brick_height)});
 }
 
 void check_anchor(const House& house, const HousePlan& plan, std::size_t index) {
@@ -51,6 +46,18 @@ void check_anchor(const House& house, const HousePlan& plan, std::size_t index) 
 }
 
 }  // namespace
+
+Tie beam_anchor(const Floor& floor, const BeamEnd& end) {
+  Tie tie = floor.anchor->bar;
+  tie.from = end.at + (end.bearing + floor.anchor->reach) * end.inwards;
+  if (floor.anchorage == Anchorage::anchor) {
+    tie.to = end.at - end.behind * end.inwards;
+  } else {  // in the middle of the bed under the beam's end, half a course down
+    tie.to = end.at + (0.5 * end.bearing) * end.inwards;
+    tie.to.z = end.underside - 0.25 * end.course;
+  }
+  return tie;
+}
 
 std::vector<PlannedTie> beam_anchors(const House& house, double foot) {
   std::vector<PlannedTie> all;

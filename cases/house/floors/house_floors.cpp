@@ -49,15 +49,6 @@ std::vector<Interval> rooms_beside(const Floor& floor, const HousePlan& plan, in
   return rooms;
 }
 
-std::vector<Interval> beams_in(Interval room, Tick width, Tick spacing) {
-  std::vector<Interval> beams;
-  if (room.length() < width) return beams;
-  const Tick count = (room.length() - width) / spacing + 1;
-  Tick low = room.low + (room.length() - width - (count - 1) * spacing) / 2;
-  for (Tick i = 0; i < count; ++i, low += spacing) beams.push_back({low, low + width});
-  return beams;
-}
-
 /// Refuses a bearing that leaves less than half a brick's width of a brick behind the beams.
 void check_piece_behind(const Floor& floor, std::size_t index, const WallPlan& wall, Tick depth, const HousePlan& plan) {
   const Tick behind = wall.thickness - depth, least = plan.brick_width / 2;
@@ -165,6 +156,20 @@ void add_pockets(const House& house, std::size_t i, const FloorPlan& laid, House
 }
 
 }  // namespace
+
+std::vector<Interval> beams_in(Interval room, Tick width, Tick spacing) {
+  std::vector<Interval> beams;
+  if (room.length() < width) return beams;
+  const Tick count = (room.length() - width) / spacing + 1;
+  Tick low = room.low + (room.length() - width - (count - 1) * spacing) / 2;
+  for (Tick i = 0; i < count; ++i, low += spacing) beams.push_back({low, low + width});
+  return beams;
+}
+
+double floor_load_density(const Floor& floor, const std::string& key) {
+  if (!(floor.load >= 0.0 && floor.load < 1e5)) throw InputError(key, text(floor.load) + " kg/m2 is out of range; allowed: 0 to 100000");
+  return floor.load * floor.spacing / (floor.beam[0] * floor.beam[1]);
+}
 
 std::string floor_key(std::size_t floor, const char* field) { return indexed_key("house.floor", floor, field); }
 

@@ -9,6 +9,7 @@
 #include "cases/house/house_wall.h"
 #include "cases/house/roofs/house_pitched.h"
 #include "cases/house/roofs/house_vault.h"
+#include "cases/house/walls/cut_bricks.h"
 #include "cases/names.h"
 
 namespace voussoir::cases {
@@ -24,40 +25,6 @@ struct GableCourse {
   int number = 0;
   double low = 0.0, high = 0.0;
 };
-
-/// A brick of a course: its joints along y [m] and its section as cut by the vault.
-struct Piece {
-  double low = 0.0, high = 0.0;
-  Polygon section;  // (y, z)
-  double area = 0.0;
-};
-
-constexpr double kRoundOff = 1e-9;  // m
-
-/// The part of a polygon between two heights and two positions along the wall. Corners on these lines lie on them exactly, since the
-/// round-off of a cut would make equal bricks unequal.
-Polygon between(const Polygon& under, double low, double high, double from, double to) {
-  Polygon section = under, scratch;
-  geometry::clip(section, {0.0, -1.0}, -low, scratch);
-  geometry::clip(section, {0.0, 1.0}, high, scratch);
-  geometry::clip(section, {-1.0, 0.0}, -from, scratch);
-  geometry::clip(section, {1.0, 0.0}, to, scratch);
-  const auto put_on = [](double& value, double line) {
-    if (std::abs(value - line) < kRoundOff) value = line;
-  };
-  for (geometry::Point2& p : section) {
-    for (const double line : {low, high}) put_on(p.t, line);
-    for (const double line : {from, to}) put_on(p.s, line);
-  }
-  return section;
-}
-
-/// Removes corners that the cut made twice.
-void drop_doubled(Polygon& section) {
-  const auto same = [&](geometry::Point2 a, geometry::Point2 b) { return std::hypot(a.s - b.s, a.t - b.t) < kRoundOff; };
-  section.erase(std::unique(section.begin(), section.end(), same), section.end());
-  while (section.size() > 1 && same(section.front(), section.back())) section.pop_back();
-}
 
 /// Layers of a course. Gables of a wall in Flemish bond are in English bond, gables of rubble are of bricks in running bond.
 std::vector<Wythe> layers_of(const HousePlan& plan, const WallPlan& wall, int course) {
@@ -95,23 +62,23 @@ class Gable {
 
   /// Bricks of a layer through the wall, divided at half the course's height like any other course; a piece of less than half a brick is
   /// joined to its neighbour.
-  [[nodiscard]] std::vector<Piece> pieces(const GableCourse& course, const Wythe& wythe) const {
-    const Polygon section = between(under_, course.low, course.high, -kFar, kFar);
+  [[nodiscard]] std::vector<CutBrick> pieces(const GableCourse& course, const Wythe& wythe) const {
+    const Polygon section = part_between(under_, course.low, course.high, -kFar, kFar);
     const std::vector<double> corners = corners_of(section);
     const Interval span = span_at(section, 0.5 * (course.low + course.high));
-    std::vector<Piece> all;
+    std::vector<CutBrick> all;
     for (const Interval along : divide(span, wythe, plan_.brick_length)) {
       const double low = all.empty() ? -kFar : all.back().high;
       all.push_back({low, along.high == span.high ? kFar : through_corner(metres(along.high), corners), {}, 0.0});
     }
     const double least = 0.5 * brick_ / metres(wythe.depth.length());
-    for (Piece& p : all) cut(section, p);
+    for (CutBrick& p : all) cut_brick(section, p);
     join_small(section, least, all);
     return all;
   }
 
   /// Whether no part of the unit is cut away.
-  [[nodiscard]] bool is_whole(const Piece& piece, const Wythe& wythe) const {
+  [[nodiscard]] bool is_whole(const CutBrick& piece, const Wythe& wythe) const {
     return std::abs(piece.area / (metres(wythe.unit) * height_) - 1.0) < 1e-9 && geometry::as_rectangle(piece.section) &&
            std::abs(piece.high - piece.low - metres(wythe.unit)) < 1e-9;
   }
@@ -121,7 +88,7 @@ class Gable {
 
   [[nodiscard]] bool is_too_little(const GableCourse& course) const {
     if (course.high - course.low < 0.5 * height_) return true;
-    const double area = geometry::region(between(under_, course.low, course.high, -kFar, kFar)).area;
+    const double area = geometry::region(part_between(under_, course.low, course.high, -kFar, kFar)).area;
     const std::vector<Wythe> layers = layers_of(plan_, wall_, course.number);
     return std::any_of(layers.begin(), layers.end(), [&](const Wythe& w) { return area * metres(w.depth.length()) < 0.5 * brick_; });
   }
@@ -149,30 +116,6 @@ class Gable {
     return {span.low - lack, span.high + lack};
   }
 
-  void cut(const Polygon& section, Piece& piece) const {
-    piece.section = between(section, -kFar, kFar, piece.low, piece.high);
-    drop_doubled(piece.section);
-    piece.area = geometry::region(piece.section).area;
-  }
-
-  /// Joins pieces smaller than `least` to the smaller of their neighbours.
-  void join_small(const Polygon& section, double least, std::vector<Piece>& all) const {
-    while (all.size() > 1) {
-      const auto small = std::find_if(all.begin(), all.end(), [&](const Piece& p) { return p.area < least; });
-      if (small == all.end()) return;
-      const auto i = static_cast<std::size_t>(small - all.begin());
-      const bool with_next = i == 0 || (i + 1 < all.size() && all[i + 1].area < all[i - 1].area);
-      join(section, all, with_next ? i : i - 1);
-    }
-  }
-
-  /// Joins pieces i and i + 1.
-  void join(const Polygon& section, std::vector<Piece>& all, std::size_t i) const {
-    all[i].high = all[i + 1].high;
-    all.erase(all.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-    cut(section, all[i]);
-  }
-
   const HousePlan& plan_;
   const WallPlan& wall_;
   const Polygon& under_;
@@ -189,7 +132,7 @@ void add_course(const House& house, const HousePlan& plan, const WallPlan& wall,
   for (const Wythe& wythe : layers_of(plan, wall, course.number)) {
     prototype.leaf = leaf_of(plan, wall, wythe.depth);
     const Interval x = in_house(plan, wall, {}, wythe.depth, {}).x;
-    for (const Piece& piece : gable.pieces(course, wythe)) {
+    for (const CutBrick& piece : gable.pieces(course, wythe)) {
       std::vector<std::array<double, 2>> corners;
       for (const geometry::Point2 p : piece.section) corners.push_back({p.s, p.t});
       prototype.whole = gable.is_whole(piece, wythe);

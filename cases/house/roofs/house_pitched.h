@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <string>
 #include <vector>
 
+#include "cases/house/floors/house_decks.h"
 #include "cases/house/house_plan.h"
 #include "cases/house/house_ties.h"
 #include "geometry/polygon.h"
+#include "geometry/polyhedron.h"
 
 /// Pairs of rafters that meet in a ridge along x over the middle of the house. Internal to cases/.
 namespace voussoir::cases {
@@ -22,11 +26,38 @@ struct RafterProfile {
   double upper = 0.0;                    // m, length of its upper face
   std::vector<std::array<double, 2>> x;  // from and to of each rafter, along the house
 
+  [[nodiscard]] double across() const noexcept { return 2.0 * ridge; }
   [[nodiscard]] double underside(double y) const noexcept { return seat + (y - inner) * slope; }
 };
 
-/// Lays out the rafters. \throw InputError with the key at fault
+/// What a pair of rafters rests on.
+struct RafterSeat {
+  double inner = 0.0, ridge = 0.0;  // m, y of the wall's inner face and of the ridge
+  double height = 0.0;              // m, z of the seat
+  double most = 0.0;                // m, greatest length of the seat
+  double length = 0.0;              // m, of the roof along its ridge
+};
+
+/// Lays out the rafters of a roof from x = 0. \param key  of the roof \throw InputError with the key at fault
+RafterProfile rafter_profile(const Roof& roof, const RafterSeat& seat, const std::string& key);
 RafterProfile rafter_profile(const House& house, const HousePlan& plan);
+
+/// An element of a rafter. Rafters are numbered pair by pair, the front one first.
+struct RafterElement {
+  int rafter = 0;
+  geometry::Polyhedron shape;
+  bool whole = false;
+};
+std::vector<RafterElement> rafter_elements(const RafterProfile& profile);
+
+/// Ends of the ties between the feet of all pairs.
+std::vector<std::array<Vec3, 2>> rafter_tie_ends(const RafterProfile& profile);
+
+/// The boards on rafters. \throw InputError at `key` if a rafter has less than two elements
+PlannedDeck rafter_deck(const RafterProfile& profile, const Deck& deck, const std::string& key);
+
+/// Density that a surcharge adds to rafters [kg/m3]. \param length  m, of the roof along its ridge
+double rafter_surcharge(const RafterProfile& profile, const Roof& roof, double length);
 
 /// Section of the space under the rafters, to which gables are cut: corners from the front over the ridge to the rear [m].
 geometry::Polygon pitched_gable(const RafterProfile& profile, const HousePlan& plan);

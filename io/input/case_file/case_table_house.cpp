@@ -317,9 +317,17 @@ Table<WallSpec> wall_table() {
            "meeting", &S::meeting, "", {{"toothed", WallMeeting::toothed}, {"butt", WallMeeting::butt}},
            "where it meets walls before it in the case. toothed: either runs through in every second course; butt: the other does in all, "
            "as at an extension. Corners of one wall are toothed"),
-       value<S>("load", &S::load, "kg/m", at_least(0.0), "mass per length on its top (floor, roof), added to the bricks of its top course"),
+       value<S>("load", &S::load, "kg/m", at_least(0.0), "mass per length on its top (floor, roof), added to the bricks of the course that ends at `height`"),
+       value<S>("tops", &S::tops, "m", at_least(0.0).usually(usual::kHouse),
+                "[place along the wall's line from its first point, height of its top there], in turn; straight from one to the next, "
+                "`height` before the first and behind the last. At `height` or above it; a place given twice is a step. For gables and "
+                "parapets: bricks are cut to it"),
+       value<S>("gable", &S::gable, "m", above(0.0).usually(usual::kHeight),
+                "of a wall with one side: height of its top in the middle, from where it falls to `height` at both ends"),
        table<S>("opening", &S::openings, wall_opening_table())},
-      nullptr};
+      [](const S& s, const RuleCheck& check) {
+        if (s.gable && !s.tops.empty()) check.fault("gable", "does not go with `tops`, which say the same");
+      }};
 }
 
 }  // namespace voussoir::io

@@ -173,34 +173,121 @@ Table<Deck> deck_table() {
       nullptr};
 }
 
+namespace {
+
+/// Appends the keys of beams, which `floor` finds in S, and of what holds them.
+template <class S, class Get>
+void add_beam_keys(std::vector<Key<S>>& keys, Get floor, const std::string& bearing) {
+  const auto member = [floor](auto Floor::*m) {
+    return [ floor, m ](auto& s) -> auto& { return floor(s).*m; };
+  };
+  keys.push_back(value<S>("beam", member(&Floor::beam), "m", above(0.0).usually(usual::kSection), "width and height of a beam"));
+  keys.push_back(value<S>("spacing", member(&Floor::spacing), "m", above(0.0).usually(usual::kBeamSpacing),
+                          "from axis to axis; in each room as many as fit, the rest at both ends"));
+  keys.push_back(value<S>("bearing", member(&Floor::bearing), "m", above(0.0).usually(usual::kThickness), bearing));
+  keys.push_back(
+      value<S>("element", member(&Floor::element), "m", above(0.0).usually(usual::kMember), "length of an element of a beam"));
+  keys.push_back(value<S>("load", member(&Floor::load), "kg/m2", at_least(0.0).usually(usual::kAreaLoad),
+                          "mass of boards and all on them; each beam has load x spacing x its length"));
+  keys.push_back(
+      value<S>("joint", member(&Floor::joint), "", filled(), "joint law of beams with walls, or \"dry\": friction alone"));
+  keys.push_back(choice<S>(
+      "anchorage", member(&Floor::anchorage), "",
+      std::vector<std::pair<std::string, Anchorage>>{
+          {"friction", Anchorage::friction}, {"nailed", Anchorage::nailed}, {"anchor", Anchorage::anchor}},
+      "friction: beams lie in their pockets; nailed: straps hold them to the bricks under their ends; anchor: rods to the outer face"));
+  keys.push_back(table<S>("anchor", member(&Floor::anchor), beam_anchor_table()));
+  keys.push_back(table<S>("deck", member(&Floor::deck), deck_table()));
+}
+
+void check_beams(const Floor& s, const RuleCheck& check) {
+  if (s.anchorage != Anchorage::friction && !s.anchor) check.fault("anchor", "is missing; this anchorage needs its section");
+  if (s.anchorage == Anchorage::friction && s.anchor) check.fault("anchor", "needs anchorage = \"nailed\" or \"anchor\"");
+  if (s.anchorage == Anchorage::nailed && s.anchor && s.anchor->bar.plate)
+    check.fault("anchor.plate", "does not go with anchorage = \"nailed\", but with \"anchor\"");
+  if (s.spacing <= s.beam[0]) check.fault("spacing", "is not more than the width of a beam");
+}
+
+/// Appends the keys that say between which walls something spans.
+template <class S>
+void add_span_keys(std::vector<Key<S>>& keys, const std::string& what) {
+  keys.push_back(required(value<S>("name", &S::name, "", filled(), "a name of its own, for messages and results")));
+  keys.push_back(required(value<S>("walls", &S::walls, "", filled(),
+                                   "the two sides on which " + what +
+                                       " rest: a wall of one side by its name (\"inner\"), of several with the number of the side "
+                                       "(\"outer 2\": from its second corner or point on)")));
+  keys.push_back(value<S>("corners", &S::corners, "m", any().usually(usual::kGround),
+                          "four [x, y] in turn: " + what + " lie within this quadrilateral; none: wherever both sides face each other"));
+  keys.push_back(required(value<S>("material", &S::material, "", filled(), "of the " + what)));
+  keys.push_back(value<S>("within_member", &S::within_member, "", filled(), "joint law between elements of one of the " + what));
+}
+
+}  // namespace
+
 Table<Floor> house_floor_table() {
   using S = Floor;
-  return {
+  Table<S> table{
       "beams in pockets of the walls, flush with the top of a storey, with or without a deck",
       {value<S>("storey", &S::storey, "", within(1.0, 100.0), "the storey under it"),
        choice<S, PlanAxis S::*, PlanAxis>("along", &S::along, "", {{"x", PlanAxis::x}, {"y", PlanAxis::y}},
-                                          "where its beams run: from wall to wall, through inner walls"),
-       value<S>("beam", &S::beam, "m", above(0.0).usually(usual::kSection), "width and height of a beam"),
-       value<S>("spacing", &S::spacing, "m", above(0.0).usually(usual::kBeamSpacing),
-                "from axis to axis; in each room as many as fit, the rest at both ends"),
-       value<S>("bearing", &S::bearing, "m", above(0.0).usually(usual::kThickness),
-                "depth of the pockets in the outer walls; half a brick's width or more of a brick stays behind"),
-       value<S>("element", &S::element, "m", above(0.0).usually(usual::kMember), "length of an element of a beam"),
-       value<S>("load", &S::load, "kg/m2", at_least(0.0).usually(usual::kAreaLoad),
-                "mass of boards and all on them; each beam has load x spacing x its length"),
-       value<S>("joint", &S::joint, "", filled(), "joint law of beams with walls, or \"dry\": friction alone"),
-       choice<S, Anchorage S::*, Anchorage>(
-           "anchorage", &S::anchorage, "",
-           {{"friction", Anchorage::friction}, {"nailed", Anchorage::nailed}, {"anchor", Anchorage::anchor}},
-           "friction: beams lie in their pockets; nailed: straps hold them to the bricks under their ends; anchor: rods to the outer face"),
-       table<S>("anchor", &S::anchor, beam_anchor_table()), table<S>("deck", &S::deck, deck_table())},
-      [](const S& s, const RuleCheck& check) {
-        if (s.anchorage != Anchorage::friction && !s.anchor) check.fault("anchor", "is missing; this anchorage needs its section");
-        if (s.anchorage == Anchorage::friction && s.anchor) check.fault("anchor", "needs anchorage = \"nailed\" or \"anchor\"");
-        if (s.anchorage == Anchorage::nailed && s.anchor && s.anchor->bar.plate)
-          check.fault("anchor.plate", "does not go with anchorage = \"nailed\", but with \"anchor\"");
-        if (s.spacing <= s.beam[0]) check.fault("spacing", "is not more than the width of a beam");
-      }};
+                                          "where its beams run: from wall to wall, through inner walls")},
+      check_beams};
+  add_beam_keys(
+      table.keys, [](auto& s) -> auto& { return s; },
+      "depth of the pockets in the outer walls; half a brick's width or more of a brick stays behind");
+  return table;
+}
+
+Table<WallFloor> wall_floor_table() {
+  using S = WallFloor;
+  Table<S> table{"beams between two walls of [[wall]], in pockets or upon them, with or without a deck: a floor, or a flat roof",
+                 {},
+                 [](const S& s, const RuleCheck& check) {
+                   check_beams(s.beams, check);
+                   if (!s.corners.empty() && s.corners.size() != 4) check.fault("corners", "are not four");
+                 }};
+  add_span_keys(table.keys, "beams");
+  table.keys.push_back(value<S>("direction", &S::direction, "", any(),
+                                "[x, y] of the beams in plan; none: square to the first of the two walls. At least 30 degrees off both"));
+  table.keys.push_back(value<S>("level", &S::level, "m", at_least(0.0).usually(usual::kHeight),
+                                "of the beams' upper faces above base.z; none: the lower top of the two walls"));
+  add_beam_keys(
+      table.keys, [](auto& s) -> auto& { return s.beams; },
+      "depth of the pockets, or of the seats upon the walls, square to the wall; beams go through walls between the two");
+  return table;
+}
+
+Table<WallRoof> wall_roof_table() {
+  using S = WallRoof;
+  Table<S> table{"pairs of rafters between two parallel walls of [[wall]] of the same height, with gables under them",
+                 {},
+                 [](const S& s, const RuleCheck& check) {
+                   if (!s.corners.empty() && s.corners.size() != 4) check.fault("corners", "are not four");
+                 }};
+  const auto member = [](auto Roof::*m) {
+    return [m](auto& s) -> auto& { return s.rafters.*m; };
+  };
+  add_span_keys(table.keys, "rafters");
+  auto& keys = table.keys;
+  keys.push_back(value<S>("gables", &S::gables, "", filled(), "sides, named as those in `walls`, that rise to the rafters' underside"));
+  keys.push_back(value<S>("pitch", member(&Roof::pitch), "degrees", within(5.0, 60.0), "of the rafters"));
+  keys.push_back(
+      value<S>("beam", member(&Roof::beam), "m", above(0.0).usually(usual::kSection), "width along the ridge and depth of a rafter"));
+  keys.push_back(value<S>("spacing", member(&Roof::spacing), "m", above(0.0).usually(usual::kHouse),
+                          "of the axes of rafters, at most; the first and the last are flush with the ends of the walls"));
+  keys.push_back(value<S>("bearing", member(&Roof::bearing), "m", above(0.0).usually(usual::kMember),
+                          "length of a rafter's seat on a wall, from the wall's inner face; none: the thickness of the wall, at most a "
+                          "brick's length; in any case at most as cuts half of the rafter's depth"));
+  keys.push_back(
+      value<S>("element", member(&Roof::element), "m", above(0.0).usually(usual::kMember), "length of an element of a rafter"));
+  keys.push_back(value<S>("joint", &S::joint, "", filled(), "joint law of rafters with walls, or \"dry\": friction alone"));
+  keys.push_back(value<S>("between_beams", member(&Roof::between_beams), "", filled(),
+                          "joint law between the rafters of a pair, in the ridge; \"dry\": friction alone"));
+  keys.push_back(value<S>("surcharge", member(&Roof::surcharge), "kg/m2", at_least(0.0).usually(usual::kAreaLoad),
+                          "mass on the upper surface, as of tiles, added to the rafters"));
+  keys.push_back(io::table<S>("tie", member(&Roof::tie), roof_tie_table()));
+  keys.push_back(io::table<S>("deck", member(&Roof::deck), deck_table()));
+  return table;
 }
 
 }  // namespace voussoir::io

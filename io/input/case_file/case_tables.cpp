@@ -273,6 +273,8 @@ Table<Case> whole_case() {
            table<S>("output", &S::output, output_table()),
            table<S>("house", &S::house, house_table()),
            table<S>("wall", &S::walls, wall_table()),
+           table<S>("floor", &S::floors, wall_floor_table()),
+           table<S>("roof", &S::roofs, wall_roof_table()),
            table<S>("block", &S::blocks, block_table()),
            table<S>("stones", &S::stones, stones_table()),
            table<S>("load", &S::loads, load_table()),

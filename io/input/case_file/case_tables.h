@@ -28,6 +28,8 @@ Table<cases::BlockSpec> block_table();
 Table<cases::SupportMotion> support_motion_table();
 Table<cases::StonesSpec> stones_table();
 Table<cases::WallSpec> wall_table();
+Table<cases::WallFloor> wall_floor_table();
+Table<cases::WallRoof> wall_roof_table();
 Table<cases::Load> load_table();
 Table<cases::Analysis> analysis_table();
 /// Checks the keys of the case that [analysis] requires.

@@ -47,13 +47,15 @@ inline double volume_of(const cases::Model& m) {
   return sum;
 }
 
-/// Every element is joined with the base through others, head joints left out of account: beds carry it, or the joints of an arch.
+/// Every element is joined with the base through others, head joints left out of account: beds carry it, or the joints of an arch, or of
+/// a beam.
 inline void check_stands(const cases::Model& m) {
   const std::size_t n = m.blocks.size();
   geometry::DisjointSets sets(n + 1);
   for (const geometry::Joint& j : m.assembly.joints) {
-    const bool of_arch = m.blocks[static_cast<std::size_t>(j.element_a)].kind == cases::PartKind::arch_stone;
-    if (std::abs(j.frame.normal.z) < 0.99 && !of_arch) continue;
+    const cases::Block &a = m.blocks[static_cast<std::size_t>(j.element_a)], &b = m.blocks[static_cast<std::size_t>(std::max(0, j.element_b))];
+    const bool of_arch = a.kind == cases::PartKind::arch_stone, of_beam = a.member >= 0 && j.element_b >= 0 && a.member == b.member;
+    if (std::abs(j.frame.normal.z) < 0.99 && !of_arch && !of_beam) continue;
     sets.join(static_cast<std::size_t>(j.element_a), j.element_b == geometry::kBase ? n : static_cast<std::size_t>(j.element_b));
   }
   std::size_t loose = 0;

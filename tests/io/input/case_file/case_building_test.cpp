@@ -109,7 +109,7 @@ void faulty(const std::string& table, const std::string& line, const std::string
 
 TEST_CASE("case file: every key of walls is read") {
   const cases::Case c = io::load_case(VOUSSOIR_SOURCE_DIR "/tests/io/input/case_file/data/every_key.toml").value;
-  REQUIRE(c.walls.size() == 1);
+  REQUIRE(c.walls.size() == 2);
   const cases::WallSpec& w = c.walls[0];
   CHECK(w.name == "street");
   CHECK(w.points == std::vector<std::array<double, 2>>{{0.0, 0.0}, {4.0, 0.5}, {3.0, 4.0}});
@@ -123,6 +123,8 @@ TEST_CASE("case file: every key of walls is read") {
   CHECK(w.material == "adobe");
   CHECK(w.meeting == cases::WallMeeting::butt);
   CHECK(w.load == 350.0);
+  CHECK(w.tops == std::vector<std::array<double, 2>>{{0.5, 2.75}, {2.0, 3.5}, {3.5, 2.75}});
+  CHECK(c.walls[1].gable == 4.0);
   REQUIRE(w.openings.size() == 1);
   CHECK(w.openings[0].from == 1.5);
   CHECK(w.openings[0].width == 0.9);
@@ -136,6 +138,50 @@ TEST_CASE("case file: every key of walls is read") {
   CHECK(w.openings[0].arch->rise == 0.2);
   CHECK(w.openings[0].arch->thickness == 0.3);
   CHECK(w.openings[0].arch->voussoirs == 9);
+}
+
+TEST_CASE("case file: every key of floors and roofs between walls is read") {
+  const cases::Case c = io::load_case(VOUSSOIR_SOURCE_DIR "/tests/io/input/case_file/data/every_key.toml").value;
+  const std::vector<std::array<double, 2>> corners{{0.0, 0.0}, {4.0, 0.0}, {4.0, 3.0}, {0.0, 3.0}};
+  REQUIRE(c.floors.size() == 1);
+  const cases::WallFloor& f = c.floors[0];
+  CHECK(f.name == "upper");
+  CHECK(f.walls == std::vector<std::string>{"street 1", "yard"});
+  CHECK(f.corners == corners);
+  CHECK(f.direction == std::array{1.0, 0.25});
+  CHECK(f.level == 2.5);
+  CHECK(f.material == "old wood");
+  CHECK(f.within_member == "normal");
+  CHECK(f.beams.beam == std::array{0.12, 0.18});
+  CHECK(f.beams.spacing == 0.55);
+  CHECK(f.beams.bearing == 0.15);
+  CHECK(f.beams.element == 0.45);
+  CHECK(f.beams.load == 120.0);
+  CHECK(f.beams.joint == "normal");
+  CHECK(f.beams.anchorage == cases::Anchorage::nailed);
+  REQUIRE(f.beams.anchor);
+  CHECK(f.beams.anchor->every == 2);
+  REQUIRE(f.beams.deck);
+  CHECK(f.beams.deck->strength == 2.0e4);
+  REQUIRE(c.roofs.size() == 1);
+  const cases::WallRoof& r = c.roofs[0];
+  CHECK(r.name == "main");
+  CHECK(r.gables == std::vector<std::string>{"street 2"});
+  CHECK(r.corners == corners);
+  CHECK(r.material == "old wood");
+  CHECK(r.within_member == "normal");
+  CHECK(r.joint == "normal");
+  CHECK(r.rafters.pitch == 40.0);
+  CHECK(r.rafters.beam == std::array{0.12, 0.18});
+  CHECK(r.rafters.spacing == 0.9);
+  CHECK(r.rafters.bearing == 0.15);
+  CHECK(r.rafters.element == 0.45);
+  CHECK(r.rafters.between_beams == "dry");
+  CHECK(r.rafters.surcharge == 55.0);
+  REQUIRE(r.rafters.tie);
+  CHECK(r.rafters.tie->area == 3.0e-4);
+  REQUIRE(r.rafters.deck);
+  CHECK(r.rafters.deck->stiffness == 1.0e7);
 }
 
 TEST_CASE("case file: every key of a building is read") {

@@ -1,0 +1,351 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "cases/walls/spans/wall_floors.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cases/house/floors/house_floors.h"
+#include "cases/house/house_parts.h"
+#include "cases/names.h"
+#include "cases/walls/spans/wall_bays.h"
+#include "cases/walls/wall_courses.h"
+#include "cases/walls/wall_layout.h"
+#include "geometry/nth.h"
+
+namespace voussoir::cases {
+namespace {
+
+constexpr double kNoArea = 1e-8;  // m2, as of geometry's joints
+
+std::string key_of(std::size_t floor, const char* field) { return Spanning{"floor", floor}.key(field); }
+
+/// The top of a wall as the case gives it, without gables.
+Tick eaves(const WallSpec& wall) { return ticks(wall.base + wall.height); }
+
+class FloorLayer {
+ public:
+  FloorLayer(const std::vector<WallSpec>& walls, const WallFloor& floor, std::size_t index, WallsPlan& plan)
+      : walls_(walls), floor_(floor), index_(index), plan_(plan) {}
+
+  void lay() {
+    Faults faults;
+    faults.attempt([&] {
+      width_ = positive_length(floor_.beams.beam[0], key("beam")), height_ = positive_length(floor_.beams.beam[1], key("beam"));
+      spacing_ = positive_length(floor_.beams.spacing, key("spacing")), bearing_ = positive_length(floor_.beams.bearing, key("bearing"));
+    });
+    faults.attempt([&] { laid_.bay = find_bay(walls_, plan_, {"floor", index_}, floor_.walls, floor_.direction, floor_.corners); });
+    faults.raise();
+    faults.attempt([&] { check_bearing(); });
+    faults.attempt([&] { set_level(); });
+    faults.raise();
+    find_walls_between();
+    lay_beams();
+    for (const auto& room : laid_.rooms) {
+      for (const BayBeam& beam : room) faults.attempt([&] { add_pockets(beam); });
+    }
+    faults.raise();
+    plan_.floors[index_] = laid_;
+  }
+
+ private:
+  [[nodiscard]] std::string key(const char* field) const { return key_of(index_, field); }
+  [[nodiscard]] const Leg& side(std::size_t k) const { return plan_.legs[laid_.bay.faces[k].leg]; }
+  [[nodiscard]] double least() const { return std::max(least_piece(walls_[side(0).wall]), least_piece(walls_[side(1).wall])); }
+
+  void check_bearing() const {
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double thickness = 2.0 * side(k).half;
+      if (floor_.beams.bearing > thickness + 1e-9)
+        throw InputError(key("bearing"),
+                         text(floor_.beams.bearing) + " m is deeper than the " + side(k).tag + "; at most " + text(thickness) + " m");
+    }
+    if (spacing_ < width_ + ticks(least()))
+      throw InputError(key("spacing"), text(floor_.beams.spacing) + " m leaves less than a fifth of a brick between beams; at least " +
+                                           metres_text(width_ + ticks(least())) + " m");
+  }
+
+  void set_level() {
+    const Tick top = std::min(eaves(walls_[side(0).wall]), eaves(walls_[side(1).wall]));
+    const Tick level = floor_.level ? ticks(*floor_.level) : top;
+    laid_.height = {level - height_, level};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Interval stands{side(k).height.low, eaves(walls_[side(k).wall])};
+      const bool in_it = laid_.height.low > stands.low && laid_.height.high <= stands.high, upon_it = laid_.height.low == stands.high;
+      if (in_it || upon_it) continue;
+      throw InputError(key(floor_.level ? "level" : "beam"),
+                       text(floor_.level ? *floor_.level : floor_.beams.beam[1]) + " m: the beams would lie " + from_to(laid_.height) +
+                           " above the base, and the " + side(k).tag + " stands " + from_to(stands) + "; beams lie in it, " +
+                           "or upon it: allowed levels: above " + metres_text(stands.low + height_) + " to " + metres_text(stands.high) +
+                           " m, and " + metres_text(stands.high + height_) + " m");
+    }
+  }
+
+  /// Ground between two planes of beams, from the outer face of one wall to that of the other: (x, y).
+  [[nodiscard]] geometry::Polygon ground(double low, double high) const {
+    const Bay& bay = laid_.bay;
+    geometry::Polygon all;
+    for (const auto& [u, k] : {std::pair{low, std::size_t{0}}, {high, std::size_t{0}}, {high, std::size_t{1}}, {low, std::size_t{1}}}) {
+      const Vec3 p = bay.at(u, v_of(plan_, bay, {bay.faces[k].leg, -bay.faces[k].d}, u));
+      all.push_back({p.x, p.y});
+    }
+    if (cross(bay.across, bay.along).z < 0.0) std::ranges::reverse(all);
+    return all;
+  }
+
+  [[nodiscard]] bool is_side(std::size_t leg) const { return leg == laid_.bay.faces[0].leg || leg == laid_.bay.faces[1].leg; }
+
+  /// Parts the other walls in the bay: those that meet one of its two walls bound rooms, others lie across the beams.
+  void find_walls_between() {
+    const Bay& bay = laid_.bay;
+    const geometry::Polygon between = ground(bay.low, bay.high);
+    for (std::size_t i = 0; i < plan_.legs.size(); ++i) {
+      const Leg& leg = plan_.legs[i];
+      if (is_side(i) || !leg.height.overlaps(laid_.height)) continue;
+      for (std::size_t f = 0; f < leg.facets.size(); ++f) {
+        const geometry::Polygon common = geometry::intersection(outline_of(leg, f), between);
+        if (geometry::region(common).area < kNoArea) continue;
+        double low = bay.high, high = bay.low;
+        bool meets = leg.facets.size() > 1 || std::abs(dot(leg.facets[f].across, bay.along)) < 0.5;
+        for (const geometry::Point2 p : common) {
+          const Vec3 q = Vec3{p.s, p.t, 0.0} - bay.from;
+          const double u = dot(q, bay.across), v = dot(q, bay.along);
+          low = std::min(low, u), high = std::max(high, u);
+          meets = meets || v < v_of(plan_, bay, bay.faces[0], u) + kPlanTolerance || v > v_of(plan_, bay, bay.faces[1], u) - kPlanTolerance;
+        }
+        if (meets)
+          beside_.push_back({ticks(low), ticks(high)});
+        else
+          across_.push_back(i);
+      }
+    }
+    std::ranges::sort(beside_, {}, &Interval::low);
+  }
+
+  void lay_beams() {
+    const Bay& bay = laid_.bay;
+    const Tick margin = ticks(least()) + 1;
+    Tick from = ticks(bay.low);
+    const auto add_room = [&](Tick to) {
+      if (to - from <= 2 * margin) return;
+      std::vector<BayBeam>& room = laid_.rooms.emplace_back();
+      for (const Interval beam : beams_in({from + margin, to - margin}, width_, spacing_)) room.push_back(beam_at(beam));
+      if (room.empty()) laid_.rooms.pop_back();
+    };
+    for (const Interval wall : beside_) {
+      add_room(wall.low);
+      from = std::max(from, wall.high);
+    }
+    add_room(ticks(bay.high));
+    if (laid_.rooms.empty())
+      throw InputError(key("beam"), text(floor_.beams.beam[0]) + " m is too wide for what lies between the " + side(0).tag + " and the " +
+                                        side(1).tag + ", " + text(std::round((bay.high - bay.low) * 1e4) * 1e-4) + " m");
+    for (const auto& room : laid_.rooms) {
+      for (const BayBeam& beam : room) check_elements(beam);
+    }
+  }
+
+  [[nodiscard]] BayBeam beam_at(Interval across) const {
+    const Bay& bay = laid_.bay;
+    BayBeam beam{across, {}};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const WallFace end{bay.faces[k].leg, back_of(k)};
+      beam.ends[k] = {v_of(plan_, bay, end, metres(across.low)), v_of(plan_, bay, end, metres(across.high))};
+    }
+    return beam;
+  }
+  /// d of the plane in which beams end in a side.
+  [[nodiscard]] double back_of(std::size_t k) const {
+    const double face = laid_.bay.faces[k].d;
+    return face > 0.0 ? face - floor_.beams.bearing : face + floor_.beams.bearing;
+  }
+
+  void check_elements(const BayBeam& beam) const {
+    const double length = 0.5 * (beam.ends[1][0] + beam.ends[1][1] - beam.ends[0][0] - beam.ends[0][1]);
+    const Tick element = element_length(floor_.beams.element, ticks(length), key("element"));
+    const double skew = std::max(std::abs(beam.ends[0][0] - beam.ends[0][1]), std::abs(beam.ends[1][0] - beam.ends[1][1]));
+    const double shortest = metres(std::min(element, ticks(length)));
+    if (shortest < skew - 1e-9)
+      throw InputError(key("element"), text(floor_.beams.element) + " m is too short for ends as oblique as these; at least " +
+                                           text(std::ceil(skew * 1e3) * 1e-3) + " m");
+  }
+
+  void add_pockets(const BayBeam& beam) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double face = laid_.bay.faces[k].d, back = back_of(k);
+      add_pocket(beam, laid_.bay.faces[k].leg, std::min(face, back), std::max(face, back));
+    }
+    const geometry::Polygon under = ground(metres(beam.across.low), metres(beam.across.high));
+    for (const std::size_t i : across_) {
+      const Leg& leg = plan_.legs[i];
+      if (geometry::region(geometry::intersection(outline_of(leg, 0), under)).area > kNoArea) add_pocket(beam, i, -leg.half, leg.half);
+    }
+  }
+
+  void add_pocket(const BayBeam& beam, std::size_t in, double from, double to) {
+    Leg& leg = plan_.legs[in];
+    if (!leg.height.overlaps(laid_.height)) return;
+    Pocket p{cut_at(leg, laid_.bay, metres(beam.across.low)), cut_at(leg, laid_.bay, metres(beam.across.high)), from, to, laid_.height,
+             index_};
+    if (p.low.at > p.high.at) std::swap(p.low, p.high);
+    const double low = std::min(p.low(from), p.low(to)), high = std::max(p.high(from), p.high(to));
+    if (const auto words = in_the_way_of(walls_[leg.wall], plan_, leg, p))
+      throw InputError(key("spacing"), text(floor_.beams.spacing) + " m puts a beam into the " + leg.tag + " from " +
+                                           text(std::round(low * 1e4) * 1e-4) + " to " + text(std::round(high * 1e4) * 1e-4) + " m, and " +
+                                           *words + "; at least " + text(least_piece(walls_[leg.wall])) +
+                                           " m, a fifth of a brick, lie between them: change spacing, corners or level");
+    leg.pockets.push_back(p);
+  }
+
+  const std::vector<WallSpec>& walls_;
+  const WallFloor& floor_;
+  std::size_t index_;
+  WallsPlan& plan_;
+  BayFloor laid_;
+  Tick width_ = 0, height_ = 0, spacing_ = 0, bearing_ = 0;
+  std::vector<Interval> beside_;     // ranges of u that walls beside rooms fill, ascending
+  std::vector<std::size_t> across_;  // legs that beams go through
+};
+
+std::string loaded_name(const WallFloor& floor) {
+  return floor.material + " of " + floor.name + " with " + text(floor.beams.load) + " kg/m2";
+}
+
+/// Ends of the elements of a beam: v at its lower and its higher u.
+std::vector<std::array<double, 2>> element_ends(const BayBeam& beam, double element) {
+  const double start = 0.5 * (beam.ends[0][0] + beam.ends[0][1]), end = 0.5 * (beam.ends[1][0] + beam.ends[1][1]);
+  std::vector<std::array<double, 2>> all{beam.ends[0]};
+  for (const Interval part : cut_member({0, ticks(end - start)}, ticks(element)))
+    all.push_back({start + metres(part.high), start + metres(part.high)});
+  all.back() = beam.ends[1];
+  return all;
+}
+
+}  // namespace
+
+void plan_wall_floors(const std::vector<WallSpec>& walls, const std::vector<WallFloor>& floors, WallsPlan& plan) {
+  Faults faults;
+  plan.floors.resize(floors.size());
+  for (std::size_t i = 0; i < floors.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (floors[k].name == floors[i].name)
+        faults.add({key_of(i, "name"), quoted(floors[i].name) + " is already the name of " + key_of(k, "")});
+    }
+    faults.attempt([&] { FloorLayer(walls, floors[i], i, plan).lay(); });
+  }
+  faults.raise();
+}
+
+std::vector<NamedMaterial> loaded_floor_materials(const std::vector<WallFloor>& floors, std::span<const NamedMaterial> materials) {
+  std::vector<NamedMaterial> all;
+  Faults faults;
+  for (std::size_t i = 0; i < floors.size(); ++i) {
+    faults.attempt([&] {
+      const std::int32_t bare = find_material(materials, floors[i].material, key_of(i, "material"));
+      const double added = floor_load_density(floors[i].beams, key_of(i, "load"));
+      if (added == 0.0) return;
+      all.push_back({loaded_name(floors[i]), nth(materials, bare).value, bare});
+      all.back().value.density += added;
+    });
+  }
+  faults.raise();
+  return all;
+}
+
+void add_floor_beams(const WallsPlan& plan, const std::vector<WallFloor>& floors, std::span<const NamedMaterial> materials,
+                     std::int32_t& members, std::vector<Block>& blocks) {
+  for (std::size_t i = 0; i < floors.size(); ++i) {
+    const WallFloor& floor = floors[i];
+    const BayFloor& laid = plan.floors[i];
+    const Floor& beams = floor.beams;
+    Block block;
+    block.kind = PartKind::floor_beam;
+    block.span = static_cast<std::int32_t>(i);
+    block.material = beams.load > 0.0 ? find_material(materials, loaded_name(floor), key_of(i, "load"))
+                                      : find_material(materials, floor.material, key_of(i, "material"));
+    int number = 0;
+    for (const auto& room : laid.rooms) {
+      for (const BayBeam& beam : room) {
+        const std::vector<std::array<double, 2>> ends = element_ends(beam, beams.element);
+        const double shortest = std::min(beams.element, ends.back()[0] - ends.front()[0]);
+        block.segment_size = segment_size_of(ticks(beams.beam[0]), ticks(beams.beam[1]), ticks(shortest));
+        block.tag = floor.name + " beam " + std::to_string(number++);
+        block.member = members++;
+        for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+          block.shape = upright(in_bay(laid.bay, {metres(beam.across.low), metres(beam.across.high)}, ends[k], ends[k + 1]), laid.height);
+          block.whole = std::abs(ends[k + 1][0] - ends[k][0] - beams.element) < 1e-9 && std::abs(ends[k + 1][1] - ends[k][1] - beams.element) < 1e-9;
+          blocks.push_back(block);
+        }
+      }
+    }
+  }
+}
+
+std::vector<PlannedTie> wall_beam_anchors(const std::vector<WallSpec>& walls, const WallsPlan& plan, const std::vector<WallFloor>& floors,
+                                          double foot) {
+  std::vector<PlannedTie> all;
+  for (std::size_t i = 0; i < floors.size(); ++i) {
+    const Floor& beams = floors[i].beams;
+    if (beams.anchorage == Anchorage::friction) continue;
+    const BayFloor& laid = plan.floors[i];
+    const Bay& bay = laid.bay;
+    int number = 0;
+    for (const auto& room : laid.rooms) {
+      for (std::size_t b = 0; b < room.size(); b += static_cast<std::size_t>(beams.anchor->every)) {
+        const double u = 0.5 * metres(room[b].across.low + room[b].across.high);
+        const auto v = [&](std::size_t k, double d) { return v_of(plan, bay, {bay.faces[k].leg, d}, u); };
+        const double span = v(1, bay.faces[1].d) - v(0, bay.faces[0].d);
+        if (!(beams.anchor->reach < 0.5 * span))
+          throw InputError(key_of(i, "anchor.reach"),
+                           text(beams.anchor->reach) + " m is not less than half the span of the beams, " + text(0.5 * span) + " m");
+        for (std::size_t k = 0; k < 2; ++k) {
+          const Leg& leg = plan.legs[bay.faces[k].leg];
+          if (beams.anchorage == Anchorage::anchor && beams.bearing > 2.0 * leg.half - kPlanTolerance)
+            throw InputError(key_of(i, "bearing"), text(beams.bearing) + " m leaves nothing of the " + leg.tag +
+                                                       " behind the beams for anchors to hold; at most " +
+                                                       text(2.0 * leg.half - least_piece(walls[leg.wall])) + " m");
+          const double end = 0.5 * (room[b].ends[k][0] + room[b].ends[k][1]);
+          BeamEnd at{bay.at(u, end), (k == 0 ? 1.0 : -1.0) * bay.along};
+          at.at.z = 0.5 * metres(laid.height.low + laid.height.high) + foot;
+          at.bearing = std::abs(v(k, bay.faces[k].d) - end), at.behind = std::abs(end - v(k, -bay.faces[k].d));
+          at.underside = metres(laid.height.low) + foot, at.course = metres(plan.bricks[leg.wall].brick_height);
+          Tie tie = beam_anchor(beams, at);
+          tie.name = floors[i].name + " anchor " + std::to_string(++number);
+          all.push_back({tie, i});
+        }
+      }
+    }
+  }
+  return all;
+}
+
+PlannedDeck wall_floor_deck(const WallsPlan& plan, const std::vector<WallFloor>& floors, std::size_t index, double foot) {
+  const BayFloor& laid = plan.floors[index];
+  const Bay& bay = laid.bay;
+  const double z = metres(laid.height.low) + 0.9 * metres(laid.height.length()) + foot;
+  PlannedDeck deck;
+  for (const auto& room : laid.rooms) {
+    std::vector<std::vector<Vec3>> rows;
+    std::size_t fewest = static_cast<std::size_t>(-1);
+    for (const BayBeam& beam : room) {
+      const double u = 0.5 * metres(beam.across.low + beam.across.high);
+      const double low = v_of(plan, bay, bay.faces[0], u), high = v_of(plan, bay, bay.faces[1], u);
+      const std::vector<std::array<double, 2>> ends = element_ends(beam, floors[index].beams.element);
+      std::vector<Vec3>& row = rows.emplace_back();
+      for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+        const double v = 0.25 * (ends[k][0] + ends[k][1] + ends[k + 1][0] + ends[k + 1][1]);
+        if (v < low + kPlanTolerance || v > high - kPlanTolerance) continue;
+        row.push_back(bay.at(u, v));
+        row.back().z = z;
+      }
+      fewest = std::min(fewest, row.size());
+    }
+    for (std::vector<Vec3>& row : rows) row.resize(fewest);  // beams between walls that are not parallel: as far as the shortest
+    add_panels(rows, *floors[index].beams.deck, deck);
+  }
+  if (deck.bars.empty())
+    throw InputError(key_of(index, "deck"), "spans nothing: no room has two beams, each with two elements between the walls");
+  return deck;
+}
+
+}  // namespace voussoir::cases

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "cases/walls/wall_plan.h"
+
+/// Where beams end in a layer of bricks. Internal to cases/.
+namespace voussoir::cases {
+
+/// A place in a layer that beams fill in part: one, or two exactly opposite each other.
+struct FilledPlace {
+  LegCut low, high;
+  std::size_t floor = 0;                    // of the case
+  std::vector<std::array<double, 2>> rest;  // m, ranges of d that bricks fill beside the beams
+};
+
+/// The beams that reach into a layer of a leg, ascending. \param height  of the course \param from, to  range of d of the layer
+std::vector<FilledPlace> beams_in_layer(const Leg& leg, Interval height, double from, double to);
+
+}  // namespace voussoir::cases
