@@ -17,9 +17,9 @@ import pathlib
 import re
 import subprocess
 import sys
-import tomllib
 from concurrent import futures
 
+import toml_reading
 from strength import UNITS
 from versions import differs, results_of
 
@@ -173,7 +173,7 @@ def read_intensity(path, table):
 
 def read_document(path):
     try:
-        return tomllib.loads(path.read_text())
+        return toml_reading.loads(path.read_text())
     except OSError as error:
         raise StudyError(f"{path}: {error.strerror}; wanted a study file") from error
     except ValueError as error:  # of TOML or of UTF-8

@@ -8,7 +8,6 @@ A study of cases with either goes on with the program that began it, or begins a
 import pathlib
 import re
 import sys
-import tomllib
 
 SAME = {"0.1.0 (physics 14)": "0.1.0 (physics 13)"}  # version: the earliest that gives its results
 DIFFER = re.compile(r"\bbase\b|\banalysis\b.*\blevel\b")  # in an override
@@ -37,7 +36,8 @@ def path_of(name, folder):
 
 def has_what_changed(path):
     """Whether a case file, or one of its includes, has parts of the base or blocks kept level."""
-    case = tomllib.loads(path.read_text())
+    import toml_reading  # here: not all that take a version have the folder of this module on their path
+    case = toml_reading.loads(path.read_text())
     if case.get("base", {}).get("part") or case.get("analysis", {}).get("level"):
         return True
     included = case.get("include", [])

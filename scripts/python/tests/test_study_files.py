@@ -7,7 +7,7 @@ import sys
 
 from fixture import InAFolder
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "study"))
+sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / "study"), str(pathlib.Path(__file__).resolve().parents[1] / "voussoir")]
 import plan  # noqa: E402
 
 

@@ -19,6 +19,7 @@ except ModuleNotFoundError as missing:
     raise ImportError(f"results need {missing.name}: pip install \"voussoir[results]\", or Debian's python3-numpy and python3-h5py") from missing
 from numpy.typing import NDArray
 
+from . import toml_reading
 from .capacity import Capacity
 from .errors import FileError, ProgramWarning, VoussoirError
 from .reading import NoData, missing_parts, open_paged, open_results, parts_of, path_of, reading, rows_of, state_of
@@ -388,9 +389,8 @@ class Results:
     @property
     def case(self) -> dict[str, Any]:
         """The resolved case: all keys with their values."""
-        import tomllib  # here, since Python 3.10 has none
         with reading(f"{self._path}, case"):
-            return tomllib.loads(self._at("case").attrs["toml"])
+            return toml_reading.loads(self._at("case").attrs["toml"])
 
     @property
     def summary(self) -> dict[str, Any]:
