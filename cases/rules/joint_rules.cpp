@@ -27,7 +27,7 @@ void check_mortar(const House& house, const NamedLaw& law) {
 std::array<std::int32_t, 2> end_beams(const Model& model) noexcept {
   std::array<std::int32_t, 2> ends{-1, -1};
   for (const Block& block : model.blocks) {
-    if (block.kind != PartKind::beam) continue;
+    if (block.kind != PartKind::beam || block.house < 0) continue;
     ends[0] = ends[0] < 0 ? block.member : std::min(ends[0], block.member);
     ends[1] = std::max(ends[1], block.member);
   }

@@ -276,7 +276,7 @@ void plan_wall_courses(const std::vector<WallSpec>& walls, const std::vector<Wal
     for (const Level& l : kept_levels(levels, std::max<Tick>(1, brick / 5), faults)) beds.push_back(l.at);
     std::ranges::sort(beds);
     beds.erase(std::unique(beds.begin(), beds.end()), beds.end());
-    while (beds.back() < crown_of(plan, first)) beds.push_back(beds.back() + brick);  // of a gable: cut along its top
+    for (const Tick crown = crown_of(plan, first); beds.back() < crown;) beds.push_back(beds.back() + brick);  // of a gable: cut along its top
     for (std::size_t i = 0; i + 1 < beds.size(); ++i) add_courses({beds[i], beds[i + 1]}, brick, plan.courses[first]);
   }
   faults.raise();

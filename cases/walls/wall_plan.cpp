@@ -51,7 +51,9 @@ void check_number(const std::vector<WallSpec>& walls, const WallsPlan& plan) {
   std::vector<double> bricks(walls.size(), 0.0);
   for (const Leg& leg : plan.legs) {
     const WallSpec& w = walls[leg.wall];
-    bricks[leg.wall] += leg.length() * w.thickness * w.height / (w.brick[0] * w.brick[1] * w.brick[2]);
+    double high = std::max(w.height, w.gable.value_or(0.0));
+    for (const auto& top : w.tops) high = std::max(high, top[1]);
+    bricks[leg.wall] += leg.length() * w.thickness * high / (w.brick[0] * w.brick[1] * w.brick[2]);
   }
   if (std::accumulate(bricks.begin(), bricks.end(), 0.0) <= kMostBricks) return;
   const auto most = std::ranges::max_element(bricks);

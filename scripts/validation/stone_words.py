@@ -173,7 +173,8 @@ rules](../../scripts/validation/README.md), the same for all. Nothing is fitted 
   15 % flexure), of the others by where bonds broke, up to the peak and at the end (shear: in the
   middle three fifths of the height).
 - **Loss**: drift at which a fifth of the largest force is gone, measured on the envelopes; "–": it
-  is not, or there is no envelope. Walls are pushed to 2 %.
+  is not, or there is no envelope. Where a computed path has no further state of rest, its last
+  drift counts as that of the loss. Walls are pushed to 2 %.
 """
 
 

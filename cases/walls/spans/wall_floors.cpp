@@ -208,7 +208,7 @@ class FloorLayer {
 };
 
 std::string loaded_name(const WallFloor& floor) {
-  return floor.material + " of " + floor.name + " with " + text(floor.beams.load) + " kg/m2";
+  return floor.material + " of floor " + floor.name + " with " + text(floor.beams.load) + " kg/m2";
 }
 
 /// Ends of the elements of a beam: v at its lower and its higher u.

@@ -122,7 +122,7 @@ void add_gable(const std::vector<WallSpec>& walls, const WallRoof& roof, std::si
 }
 
 std::string surcharged_name(const WallRoof& roof) {
-  return roof.material + " of " + roof.name + " with " + text(roof.rafters.surcharge) + " kg/m2";
+  return roof.material + " of roof " + roof.name + " with " + text(roof.rafters.surcharge) + " kg/m2";
 }
 
 }  // namespace

@@ -58,7 +58,8 @@ std::vector<FitContact> contacts_of(std::span<const FitBody> bodies, std::int32_
 std::vector<FitContact> base_contacts_of(std::span<const FitBody> bodies, std::int32_t a, double base_z);
 
 /// Chooses the plane of each contact. Contacts that hang together by common faces get one plane where it passes all of them within half of
-/// their limits and within three times their largest gap or overlap; else each pair of bodies has its own. Exact ones keep theirs. \param
+/// their limits and within three times their largest gap or overlap; else each pair of bodies has its own. Exact ones keep theirs where
+/// all of a group are exact. \param
 /// base_z  plane of contacts with the base
 void choose_planes(std::span<const FitBody> bodies, std::span<FitContact> contacts, std::optional<double> base_z);
 

@@ -81,7 +81,8 @@ def watched(*words: Word, progress: bool | Callable[[Progress], None] = True, co
         except KeyboardInterrupt:
             if interrupted:  # the second time: at once
                 _signal(child, signal.SIGKILL)
-                raise
+                _at_work.discard(child)
+                raise Killed from None
             interrupted = True
             _signal(child, signal.SIGINT)
     for pipe in (child.stdout, child.stderr):
@@ -115,6 +116,10 @@ def _signal(child: "subprocess.Popen[str]", number: int) -> None:
     if child.poll() is None:
         with contextlib.suppress(ProcessLookupError):  # it has ended meanwhile
             os.killpg(child.pid, number)
+
+
+class Killed(KeyboardInterrupt):
+    """A second Ctrl-C has ended a program before it had saved."""
 
 
 def _in_background(work: Callable[[], None]) -> threading.Event:

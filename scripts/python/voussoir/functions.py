@@ -139,6 +139,8 @@ def study(file: Path, folder: Path | None = None, *, cores: int | None = None, c
     words = ["-o", to, *_option("--cores", cores), *_flag("--check", check), *_flag("--table", table)]
     try:
         code = commands.watched("study", file, *words, *(word for one in known for word in ("--known", one)), progress=False, codes=(0, 1))[1]
+    except commands.Killed:
+        raise
     except KeyboardInterrupt as interrupt:
         raise Stopped("the study was stopped; its runs are saved, and the same call goes on") from interrupt
     rows: tuple[dict[str, str], ...] = ()

@@ -38,7 +38,7 @@ struct HingePoint {
   Vec3 on_a, on_b;              // m, from the centres at first (of the ground: the place)
 };
 
-/// A tie that yields: it pulls with `most` while it gets longer, with `least` while it gets shorter, and not any more once it has broken.
+/// A tie that yields: it pulls with `most` while it gets longer, with `least` while it gets shorter, and not where it is longer than it can be.
 struct YieldingTie {
   struct Hold {
     std::int32_t part = -1;  // −1: the ground
@@ -306,12 +306,12 @@ KinematicCurve kinematic_curve(const cases::Case& c, const cases::Model& model, 
   out.control = parts[control].centre;
   out.sliding = static_cast<std::size_t>(std::ranges::count_if(mechanism.seams, [](const MechanismSeam& s) { return !s.hinge; }));
   take_shares(out, parts, live, control, norm(c.gravity.acceleration));
-  std::size_t elastic = 0;
+  std::size_t links = 0;
   for (std::size_t k = 0; k < state.ties.size(); ++k)
-    if (!std::isfinite(contacts.ties[k].most) && std::abs(state.ties[k]) > kBears * out.weight) ++elastic;
-  if (elastic > 0) {
+    if (std::abs(state.ties[k]) > kBears * out.weight && std::abs(stretching(contacts.ties[k], contacts, state.motion)) < kAtRest) ++links;
+  if (links > 0) {
     out.points.push_back({0.0, state.multiplier});
-    out.none = std::to_string(elastic) + " ties that bear have no yield force: what they hold is not followed";
+    out.none = std::to_string(links) + " ties bear without yielding: what they hold is not followed";
     return out;
   }
   if (parts.size() > kMostParts) {

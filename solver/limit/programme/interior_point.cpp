@@ -53,6 +53,7 @@ class NormalEquations {
   [[nodiscard]] VectorXd solve(const VectorXd& right) const {
     VectorXd y = VectorXd::Zero(right.size()), left = right, along = once(right), towards = along;
     double slope = left.dot(towards);
+    if (!(slope > 0.0)) return towards;
     for (int i = 0; i < kMostGradients && slope > 0.0; ++i) {
       const VectorXd product = a_ * d_.cwiseProduct(a_.transpose() * along);
       const double step = slope / along.dot(product);

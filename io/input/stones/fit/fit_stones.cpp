@@ -136,11 +136,12 @@ std::string refusal(const Prepared& before, const FittedStone& after, double by,
          geometry::millimetres(before.limit) + "); set stones.fit_limit if so much is right";
 }
 
-std::vector<FittedStone> fitted(const cases::Case& c, const std::vector<FitStone>& stones) {
+std::vector<FittedStone> fitted(const cases::Case& c, const std::vector<FitStone>& stones, std::span<const StoneItem> items) {
   try {
     return geometry::fit_planes(stones, c.base ? std::optional(c.base->z) : std::nullopt);
   } catch (const geometry::ModelError& e) {
-    throw cases::InputError("stones[0].fit", e.what());
+    const bool known = e.subject() >= 0 && static_cast<std::size_t>(e.subject()) < items.size();
+    throw cases::InputError("stones[0].fit", (known ? "stone \"" + items[static_cast<std::size_t>(e.subject())].raw.name + "\" " : "") + e.what());
   }
 }
 
@@ -162,7 +163,7 @@ std::vector<std::string> fit_stones(cases::Case& c, std::span<StoneItem> items) 
     before.push_back(prepared(item.raw.mesh, spec));
     given.push_back({before.back().pieces, before.back().limit, spec.snap});
   }
-  std::vector<FittedStone> after = fitted(c, given);
+  std::vector<FittedStone> after = fitted(c, given, items);
   std::vector<Summary> summaries(c.stones.size());
   std::vector<std::string> faults;
   for (std::size_t i = 0; i < items.size(); ++i) {
