@@ -682,6 +682,104 @@ class WallOpening(Part):
 
 
 @dataclass(kw_only=True, slots=True)
+class FloorAnchor(Part):
+    """[floor.anchor]: what holds the ends of beams to the walls.
+
+    every: beam that has one: 1 for all, 2 for every second; in [1, 100]; default 1
+    reach, m: from the face of the wall into the room, where it holds the beam; > 0, usually 0.02 to 30, possible 2e-5 to 30000; default 0.3
+    area, m2: of its section; > 0, usually 1e-7 to 0.1, possible 9.999999999999999e-11 to 100; needed
+    young, Pa: modulus; the default is that of steel; > 0, usually 1e7 to 1e12, possible 10000 to 1e15; default 210000000000.0
+    yield_, Pa: stress at which it yields; none: elastic; > 0, usually 1e5 to 5e9, possible 100 to 5e12
+    hardening, Pa: slope of stress over strain beyond yield; >= 0, usually 10000 to 1e12, at most 1e15; default 0.0
+    elongation: strain at which it breaks; none: never; > 0, usually 0.001 to 1, possible 1e-6 to 1000
+    pretension, N: force that it would have if its ends did not move; put on with gravity, or at once without settling; >= 0, usually 50 to 1e7, at
+      most 1e10; default 0.0
+    compression: bears compression, too, without buckling; else it goes slack; default False
+    plate, m, 2 values: width and height of the anchor plates that spread its force over the faces they cover; none: each end holds one element; > 0,
+      usually 0.01 to 2, possible 1e-5 to 2000
+    """
+
+    _table: ClassVar[str] = "floor.anchor"
+
+    every: int | None = None
+    reach: float | None = None
+    area: float | None = None
+    young: float | None = None
+    yield_: float | None = None
+    hardening: float | None = None
+    elongation: float | None = None
+    pretension: float | None = None
+    compression: bool | None = None
+    plate: Sequence[float] | None = None
+
+
+@dataclass(kw_only=True, slots=True)
+class FloorDeck(Part):
+    """[floor.deck]: boards or a slab on the beams as a shear panel (diagonal bars between neighbouring beams) and bars across the beams, from the
+    middle of the first element of the beams between the walls to that of the last.
+
+    shear_stiffness, N/m: shear flow over shear angle, G t; > 0, usually 100 to 1e10, possible 0.1 to 1e13; needed
+    shear_strength, N/m: shear flow at which it yields; none: elastic; > 0, usually 10 to 1e8, possible 0.01 to 1e11
+    stiffness, N/m: force over strain of a strip one metre wide, across the beams; > 0, usually 100 to 1e10, possible 0.1 to 1e13; needed
+    strength, N/m: force at which such a strip yields; none: elastic; > 0, usually 10 to 1e8, possible 0.01 to 1e11
+    """
+
+    _table: ClassVar[str] = "floor.deck"
+
+    shear_stiffness: float | None = None
+    shear_strength: float | None = None
+    stiffness: float | None = None
+    strength: float | None = None
+
+
+@dataclass(kw_only=True, slots=True)
+class RoofTie(Part):
+    """[roof.tie]: a rod or beam from foot to foot of each pair of rafters, which takes their thrust; none: the walls do.
+
+    area, m2: of its section; > 0, usually 1e-7 to 0.1, possible 9.999999999999999e-11 to 100; needed
+    young, Pa: modulus; the default is that of steel; > 0, usually 1e7 to 1e12, possible 10000 to 1e15; default 210000000000.0
+    yield_, Pa: stress at which it yields; none: elastic; > 0, usually 1e5 to 5e9, possible 100 to 5e12
+    hardening, Pa: slope of stress over strain beyond yield; >= 0, usually 10000 to 1e12, at most 1e15; default 0.0
+    elongation: strain at which it breaks; none: never; > 0, usually 0.001 to 1, possible 1e-6 to 1000
+    pretension, N: force that it would have if its ends did not move; put on with gravity, or at once without settling; >= 0, usually 50 to 1e7, at
+      most 1e10; default 0.0
+    compression: bears compression, too, without buckling; else it goes slack; default False
+    plate, m, 2 values: width and height of the anchor plates that spread its force over the faces they cover; none: each end holds one element; > 0,
+      usually 0.01 to 2, possible 1e-5 to 2000
+    """
+
+    _table: ClassVar[str] = "roof.tie"
+
+    area: float | None = None
+    young: float | None = None
+    yield_: float | None = None
+    hardening: float | None = None
+    elongation: float | None = None
+    pretension: float | None = None
+    compression: bool | None = None
+    plate: Sequence[float] | None = None
+
+
+@dataclass(kw_only=True, slots=True)
+class RoofDeck(Part):
+    """[roof.deck]: boards or a slab on the beams as a shear panel (diagonal bars between neighbouring beams) and bars across the beams, from the
+    middle of the first element of the beams between the walls to that of the last.
+
+    shear_stiffness, N/m: shear flow over shear angle, G t; > 0, usually 100 to 1e10, possible 0.1 to 1e13; needed
+    shear_strength, N/m: shear flow at which it yields; none: elastic; > 0, usually 10 to 1e8, possible 0.01 to 1e11
+    stiffness, N/m: force over strain of a strip one metre wide, across the beams; > 0, usually 100 to 1e10, possible 0.1 to 1e13; needed
+    strength, N/m: force at which such a strip yields; none: elastic; > 0, usually 10 to 1e8, possible 0.01 to 1e11
+    """
+
+    _table: ClassVar[str] = "roof.deck"
+
+    shear_stiffness: float | None = None
+    shear_strength: float | None = None
+    stiffness: float | None = None
+    strength: float | None = None
+
+
+@dataclass(kw_only=True, slots=True)
 class BlockRotate(Part):
     """[block.rotate]: turns the block before the start.
 
@@ -1245,7 +1343,12 @@ class Wall(Part):
     material: of the bricks; [joints] has the laws of their joints; not empty; needed
     meeting: where it meets walls before it in the case. toothed: either runs through in every second course; butt: the other does in all, as at an
       extension. Corners of one wall are toothed; default "toothed"
-    load, kg/m: mass per length on its top (floor, roof), added to the bricks of its top course; >= 0; default 0.0
+    load, kg/m: mass per length on its top (floor, roof), added to the bricks of the course that ends at `height`; >= 0; default 0.0
+    tops, m: [place along the wall's line from its first point, height of its top there], in turn; straight from one to the next, `height` before the
+      first and behind the last. At `height` or above it; a place given twice is a step. For gables and parapets: bricks are cut to it; >= 0, usually
+      0.1 to 100, at most 1e5
+    gable, m: of a wall with one side: height of its top in the middle, from where it falls to `height` at both ends; > 0, usually 0.1 to 60, possible
+      1e-4 to 60000
     opening: a door or a window, in one side of the wall
     """
 
@@ -1264,7 +1367,105 @@ class Wall(Part):
     material: str
     meeting: Literal["toothed", "butt"] | None = None
     load: float | None = None
+    tops: Sequence[Sequence[float]] | None = None
+    gable: float | None = None
     opening: Sequence[WallOpening] | None = None
+
+
+@dataclass(kw_only=True, slots=True)
+class Floor(Part):
+    """[[floor]]: beams between two walls of [[wall]], in pockets or upon them, with or without a deck: a floor, or a flat roof.
+
+    name: a name of its own, for messages and results; not empty; needed
+    walls: the two sides on which beams rest: a wall of one side by its name ("inner"), of several with the number of the side ("outer 2": from its
+      second corner or point on); not empty; needed
+    corners, m: four [x, y] in turn: beams lie within this quadrilateral; none: wherever both sides face each other; usually 0.001 to 9000, at most
+      1e9 in magnitude
+    material: of the beams; not empty; needed
+    within_member: joint law between elements of one of the beams; not empty; default "wood"
+    direction, 2 values: [x, y] of the beams in plan; none: square to the first of the two walls. At least 30 degrees off both
+    level, m: of the beams' upper faces above base.z; none: the lower top of the two walls; >= 0, usually 0.1 to 60, at most 60000
+    beam, m, 2 values: width and height of a beam; > 0, usually 0.01 to 2, possible 1e-5 to 2000; default [0.1, 0.2]
+    spacing, m: from axis to axis; in each room as many as fit, the rest at both ends; > 0, usually 0.1 to 3, possible 1e-4 to 3000; default 0.6
+    bearing, m: depth of the pockets, or of the seats upon the walls, square to the wall; beams go through walls between the two; > 0, usually 0.05 to
+      5, possible 5e-5 to 5000; default 0.1
+    element, m: length of an element of a beam; > 0, usually 0.02 to 30, possible 2e-5 to 30000; default 0.4
+    load, kg/m2: mass of boards and all on them; each beam has load x spacing x its length; >= 0, usually 2 to 700, at most 7e5; default 0.0
+    joint: joint law of beams with walls, or "dry": friction alone; not empty; default "dry"
+    anchorage: friction: beams lie in their pockets; nailed: straps hold them to the bricks under their ends; anchor: rods to the outer face; default
+      "friction"
+    anchor: what holds the ends of beams to the walls
+    deck: boards or a slab on the beams as a shear panel (diagonal bars between neighbouring beams) and bars across the beams, from the middle of the
+      first element of the beams between the walls to that of the last
+    """
+
+    _table: ClassVar[str] = "floor"
+    _array: ClassVar[bool] = True
+
+    name: str
+    walls: Sequence[str]
+    corners: Sequence[Sequence[float]] | None = None
+    material: str
+    within_member: str | None = None
+    direction: Sequence[float] | None = None
+    level: float | None = None
+    beam: Sequence[float] | None = None
+    spacing: float | None = None
+    bearing: float | None = None
+    element: float | None = None
+    load: float | None = None
+    joint: str | None = None
+    anchorage: Literal["friction", "nailed", "anchor"] | None = None
+    anchor: FloorAnchor | None = None
+    deck: FloorDeck | None = None
+
+
+@dataclass(kw_only=True, slots=True)
+class Roof(Part):
+    """[[roof]]: pairs of rafters between two parallel walls of [[wall]] of the same height, with gables under them.
+
+    name: a name of its own, for messages and results; not empty; needed
+    walls: the two sides on which rafters rest: a wall of one side by its name ("inner"), of several with the number of the side ("outer 2": from its
+      second corner or point on); not empty; needed
+    corners, m: four [x, y] in turn: rafters lie within this quadrilateral; none: wherever both sides face each other; usually 0.001 to 9000, at most
+      1e9 in magnitude
+    material: of the rafters; not empty; needed
+    within_member: joint law between elements of one of the rafters; not empty; default "wood"
+    gables: sides, named as those in `walls`, that rise to the rafters' underside; not empty
+    pitch, degrees: of the rafters; in [5, 60]; default 30.0
+    beam, m, 2 values: width along the ridge and depth of a rafter; > 0, usually 0.01 to 2, possible 1e-5 to 2000; default [0.2, 0.2]
+    spacing, m: of the axes of rafters, at most; the first and the last are flush with the ends of the walls; > 0, usually 0.1 to 100, possible 1e-4
+      to 1e5; default 0.8
+    bearing, m: length of a rafter's seat on a wall, from the wall's inner face; none: the thickness of the wall, at most a brick's length; in any
+      case at most as cuts half of the rafter's depth; > 0, usually 0.02 to 30, possible 2e-5 to 30000
+    element, m: length of an element of a rafter; > 0, usually 0.02 to 30, possible 2e-5 to 30000; default 0.2
+    joint: joint law of rafters with walls, or "dry": friction alone; not empty; default "dry"
+    between_beams: joint law between the rafters of a pair, in the ridge; "dry": friction alone; not empty; default "normal"
+    surcharge, kg/m2: mass on the upper surface, as of tiles, added to the rafters; >= 0, usually 2 to 700, at most 7e5; default 0.0
+    tie: a rod or beam from foot to foot of each pair of rafters, which takes their thrust; none: the walls do
+    deck: boards or a slab on the beams as a shear panel (diagonal bars between neighbouring beams) and bars across the beams, from the middle of the
+      first element of the beams between the walls to that of the last
+    """
+
+    _table: ClassVar[str] = "roof"
+    _array: ClassVar[bool] = True
+
+    name: str
+    walls: Sequence[str]
+    corners: Sequence[Sequence[float]] | None = None
+    material: str
+    within_member: str | None = None
+    gables: Sequence[str] | None = None
+    pitch: float | None = None
+    beam: Sequence[float] | None = None
+    spacing: float | None = None
+    bearing: float | None = None
+    element: float | None = None
+    joint: str | None = None
+    between_beams: str | None = None
+    surcharge: float | None = None
+    tie: RoofTie | None = None
+    deck: RoofDeck | None = None
 
 
 @dataclass(kw_only=True, slots=True)
@@ -1465,6 +1666,8 @@ class Case(Part):
     house: a house of four walls: bearing walls along x (front at low y, rear at high y), non-bearing walls along y (left at low x, right at high x),
       before turn
     wall: a wall along any line of straight sides, with true dimensions; it is toothed at its corners and into the walls that it meets
+    floor: beams between two walls of [[wall]], in pockets or upon them, with or without a deck: a floor, or a flat roof
+    roof: pairs of rafters between two parallel walls of [[wall]] of the same height, with gables under them
     block: a block by itself: box, vertices, or polygon and extrude
     stones: stones out of a file: every closed body in it is one
     load: a force and a moment on a block, constant after the ramp unless they grow
@@ -1492,6 +1695,8 @@ class Case(Part):
     output: Output | None = None
     house: House | None = None
     wall: Sequence[Wall] | None = None
+    floor: Sequence[Floor] | None = None
+    roof: Sequence[Roof] | None = None
     block: Sequence[Block] | None = None
     stones: Sequence[Stones] | None = None
     load: Sequence[Load] | None = None
@@ -1500,8 +1705,9 @@ class Case(Part):
 
 
 __all__ = ["Analysis", "Base", "BasePart", "BasePartMotion", "Block", "BlockMotion", "BlockRotate", "Case", "Contact", "ContactBetween", "Damping",
-           "Failure", "Gravity", "House", "HouseFloor", "HouseFloorAnchor", "HouseFloorDeck", "HouseInnerWall", "HouseLeaves", "HouseLeavesThrough",
-           "HouseMesh", "HouseMeshConnectors", "HouseOpening", "HouseOpeningArch", "HouseOpeningLintel", "HousePier", "HouseReinforcement",
-           "HouseRoof", "HouseRoofDeck", "HouseRoofTie", "HouseRubble", "HouseStorey", "HouseTie", "HouseWood", "JointLaw", "Joints", "JointsBetween",
-           "Load", "Material", "Motion", "MotionIntensity", "Output", "OutputCut", "OutputHistory", "Scatter", "Segments", "Stones", "StonesMotion",
-           "StonesTurn", "Tie", "Time", "Wall", "WallOpening", "WallOpeningArch", "WallOpeningLintel"]
+           "Failure", "Floor", "FloorAnchor", "FloorDeck", "Gravity", "House", "HouseFloor", "HouseFloorAnchor", "HouseFloorDeck", "HouseInnerWall",
+           "HouseLeaves", "HouseLeavesThrough", "HouseMesh", "HouseMeshConnectors", "HouseOpening", "HouseOpeningArch", "HouseOpeningLintel",
+           "HousePier", "HouseReinforcement", "HouseRoof", "HouseRoofDeck", "HouseRoofTie", "HouseRubble", "HouseStorey", "HouseTie", "HouseWood",
+           "JointLaw", "Joints", "JointsBetween", "Load", "Material", "Motion", "MotionIntensity", "Output", "OutputCut", "OutputHistory", "Roof",
+           "RoofDeck", "RoofTie", "Scatter", "Segments", "Stones", "StonesMotion", "StonesTurn", "Tie", "Time", "Wall", "WallOpening",
+           "WallOpeningArch", "WallOpeningLintel"]
