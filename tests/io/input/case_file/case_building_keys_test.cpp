@@ -116,7 +116,8 @@ std::string out_of_range(const std::string& allowed) {
   const int count = of == std::string::npos ? 1 : allowed[of + 9] - '0';
   std::string all = "[";
   for (int i = 0; i < count; ++i) all += (i > 0 ? ", " : "") + one;
-  return all + "]";
+  all += "]";
+  return has(allowed, "each an array") ? "[" + all + "]" : all;
 }
 
 /// Whether a line of a message begins so; keys that the table lacks have lines of their own.
