@@ -12,7 +12,7 @@ namespace voussoir::geometry {
 
 namespace {
 
-constexpr double kTouching = 5e-7;      // m: so much above a plane is lost to nobody
+constexpr double kAbove = 5e-7;      // m: so much above a plane is lost to nobody
 constexpr double kKept = 0.9;           // of the area of a share: if less is kept, the body is cut
 constexpr double kWorthACut = 0.02;     // of the areas of all shares of a face: smaller shares are not worth a cut
 constexpr std::size_t kMostCells = 16;  // of one body
@@ -37,7 +37,7 @@ std::vector<Vec3> under(const std::vector<Vec3>& polygon, const HalfSpace& h) {
 
 /// The share of an area that a plane leaves.
 double kept(const FaceShare& of, HalfSpace by) {
-  by.offset += kTouching;
+  by.offset += kAbove;
   const double all = area_of(of.area);
   return all > 0.0 ? area_of(under(of.area, by)) / all : 1.0;
 }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kConvex = 1e-9;  // of the size, as validate()
 constexpr double kTurn = 0.5;     // rad, most between faces that become one
-constexpr std::size_t kMostFaces = 4096;
+constexpr std::size_t kMostOfSolid = 4096;
 
 Box3 box_around(const Mesh& m, double limit) {
   Box3 box = box_of(m);
@@ -47,7 +47,7 @@ double distance_of(const Mesh& solid, std::span<const HalfSpace> planes, const P
 std::optional<Polyhedron> nearly_convex(const Mesh& solid, double limit, double& moved) {
   moved = 0.0;
   const double size = diagonal(solid);
-  if (solid.faces.size() > kMostFaces) return std::nullopt;
+  if (solid.faces.size() > kMostOfSolid) return std::nullopt;
   for (double within = std::max(1e-6 * size, 1e-9); within < 2.0 * limit; within *= 2.0) {
     const Mesh merged = with_merged_faces(solid, std::min(within, limit), kTurn);
     if (merged.faces.size() < 4 || !is_convex(merged, 2.0 * within)) continue;
