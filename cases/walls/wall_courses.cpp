@@ -19,7 +19,7 @@
 namespace voussoir::cases {
 namespace {
 
-constexpr std::size_t kNobody = static_cast<std::size_t>(-1);
+constexpr std::size_t kNoOther = static_cast<std::size_t>(-1);
 
 std::string opening_key(std::size_t wall, std::size_t opening, const char* field) {
   return indexed_key(wall_key(wall, "opening"), opening, field);
@@ -239,7 +239,7 @@ std::optional<std::string> in_the_way_of(const WallSpec& wall, const WallsPlan& 
   }
   const double low = std::min(pocket.low(pocket.from), pocket.low(pocket.to));
   const double high = std::max(pocket.high(pocket.from), pocket.high(pocket.to));
-  const std::vector<Obstacle> all = obstacles_in(leg, {low, high, pocket.height, kNobody});
+  const std::vector<Obstacle> all = obstacles_in(leg, {low, high, pocket.height, kNoOther});
   const Obstacle* hit = in_the_way(all, low, high, least_piece(wall));
   return hit == nullptr ? std::nullopt : std::optional(hit->words);
 }

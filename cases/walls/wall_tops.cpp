@@ -15,7 +15,7 @@ namespace {
 using geometry::Point2;
 using geometry::Polygon;
 
-constexpr double kFar = 1e5;      // m, beyond any wall
+constexpr double kFarOff = 1e5;      // m, beyond any wall
 constexpr double kLevel = 1e-9;   // m
 
 double foot_of(const WallSpec& wall) { return metres(ticks(wall.base)); }
@@ -67,12 +67,12 @@ double height_at(const Polygon& line, double place, double outside, double towar
 Polygon on_leg(const Polygon& tops, const Leg& leg, double eaves) {
   const Facet& first = leg.facets.front();
   const double from = first.place, to = from + leg.length();
-  Polygon top{{-kFar, height_at(tops, from, eaves, 1.0)}, {0.0, height_at(tops, from, eaves, 1.0)}};
+  Polygon top{{-kFarOff, height_at(tops, from, eaves, 1.0)}, {0.0, height_at(tops, from, eaves, 1.0)}};
   for (const Point2 p : tops) {
     if (p.s > from + kPlanTolerance && p.s < to - kPlanTolerance) top.push_back({p.s - from, p.t});
   }
   top.push_back({to - from, height_at(tops, to, eaves, -1.0)});
-  top.push_back({kFar, top.back().t});
+  top.push_back({kFarOff, top.back().t});
   return top;
 }
 
@@ -99,7 +99,7 @@ Hill hill_of(const Polygon& part, double eaves, const std::string& key) {
 }
 
 double area_of(const Hill& hill, double low, double high) {
-  return geometry::region(part_between(hill.under, low, high, -kFar, kFar)).area;
+  return geometry::region(part_between(hill.under, low, high, -kFarOff, kFarOff)).area;
 }
 
 }  // namespace
@@ -107,7 +107,7 @@ double area_of(const Hill& hill, double low, double high) {
 double Leg::highest(double from, double to) const noexcept {
   double most = metres(eaves);
   for (const Hill& h : hills) {
-    const Polygon part = part_between(h.under, -kFar, kFar, from, to);
+    const Polygon part = part_between(h.under, -kFarOff, kFarOff, from, to);
     for (const Point2 p : part) most = std::max(most, p.t);
   }
   return most;

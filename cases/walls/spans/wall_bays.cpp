@@ -80,6 +80,8 @@ void bound(const WallsPlan& plan, const Spanning& what, const std::vector<std::a
 
 }  // namespace
 
+Tick eaves(const WallSpec& wall) { return ticks(wall.base + wall.height); }
+
 std::string Spanning::key(const char* field) const { return indexed_key(list, index, field); }
 
 std::string side_name(const Leg& leg) { return leg.tag.substr(0, leg.tag.rfind(' ')); }

@@ -25,6 +25,9 @@ struct Spanning {
   [[nodiscard]] std::string key(const char* field) const;
 };
 
+/// The top of a wall as the case gives it, without gables.
+Tick eaves(const WallSpec& wall);
+
 /// The bay between two sides. \param direction  of its v; none: square to the first side \param corners  that bound u; may be empty
 /// \throw InputError: sides that do not exist, bend, do not face each other, or at an angle below 30 degrees with the direction
 Bay find_bay(const std::vector<WallSpec>& walls, const WallsPlan& plan, const Spanning& what, const std::vector<std::string>& sides,

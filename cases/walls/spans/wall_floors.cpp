@@ -20,9 +20,6 @@ constexpr double kNoArea = 1e-8;  // m2, as of geometry's joints
 
 std::string key_of(std::size_t floor, const char* field) { return Spanning{"floor", floor}.key(field); }
 
-/// The top of a wall as the case gives it, without gables.
-Tick eaves(const WallSpec& wall) { return ticks(wall.base + wall.height); }
-
 class FloorLayer {
  public:
   FloorLayer(const std::vector<WallSpec>& walls, const WallFloor& floor, std::size_t index, WallsPlan& plan)

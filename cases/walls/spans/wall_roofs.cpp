@@ -18,9 +18,7 @@ namespace {
 constexpr double kSquare = 1e-6;  // rad
 constexpr double kFar = 1e5;      // m, beyond any wall
 
-std::string key_of(std::size_t roof, const char* field = "") { return Spanning{"roof", roof}.key(field); }
-
-Tick eaves(const WallSpec& wall) { return ticks(wall.base + wall.height); }
+std::string roof_key(std::size_t roof, const char* field = "") { return Spanning{"roof", roof}.key(field); }
 
 /// Sets the range of u to that from end to end of both sides, with what other walls fill of it.
 void reach_to_ends(const WallsPlan& plan, Bay& bay) {
@@ -46,13 +44,13 @@ class LaidRoof {
     for (const WallFace& face : bay_.faces) {
       const WallSpec& wall = walls[plan.legs[face.leg].wall];
       if (roof.rafters.bearing && *roof.rafters.bearing > wall.thickness + 1e-9)
-        throw InputError(key_of(index, "bearing"), text(*roof.rafters.bearing) + " m is more than the thickness of the " +
+        throw InputError(roof_key(index, "bearing"), text(*roof.rafters.bearing) + " m is more than the thickness of the " +
                                                        plan.legs[face.leg].tag + "; at most " + text(wall.thickness) + " m");
       most = std::min({most, wall.thickness, wall.brick[0]});
     }
     if (roof.rafters.bearing) most = *roof.rafters.bearing;
     const double seat = metres(eaves(walls[plan.legs[bay_.faces[0].leg].wall]));
-    profile_ = rafter_profile(roof.rafters, {0.0, 0.5 * (other - one), seat, most, length_}, key_of(index));
+    profile_ = rafter_profile(roof.rafters, {0.0, 0.5 * (other - one), seat, most, length_}, roof_key(index));
     mirrored_ = cross(bay_.across, bay_.along).z < 0.0;
   }
 
@@ -85,16 +83,16 @@ void check_sides(const std::vector<WallSpec>& walls, const WallsPlan& plan, std:
   const Bay& bay = plan.roofs[index];
   const Leg &a = plan.legs[bay.faces[0].leg], &b = plan.legs[bay.faces[1].leg];
   if (std::abs(cross(a.facets[0].along, b.facets[0].along).z) > kSquare)
-    throw InputError(key_of(index, "walls"), "are not parallel: the " + a.tag + " and the " + b.tag + "; a ridge lies midway between two that are");
+    throw InputError(roof_key(index, "walls"), "are not parallel: the " + a.tag + " and the " + b.tag + "; a ridge lies midway between two that are");
   if (eaves(walls[a.wall]) != eaves(walls[b.wall]))
-    throw InputError(key_of(index, "walls"), "have tops at " + metres_text(eaves(walls[a.wall])) + " and " +
+    throw InputError(roof_key(index, "walls"), "have tops at " + metres_text(eaves(walls[a.wall])) + " and " +
                                                  metres_text(eaves(walls[b.wall])) + " m above the base: the " + a.tag + " and the " + b.tag +
                                                  "; rafters of a pair rest at one height");
 }
 
 /// Raises a side to the underside of the rafters.
 void add_gable(const std::vector<WallSpec>& walls, const WallRoof& roof, std::size_t index, std::size_t gable, WallsPlan& plan) {
-  const std::string key = indexed_key(key_of(index, "gables"), gable, "");
+  const std::string key = indexed_key(roof_key(index, "gables"), gable, "");
   const std::size_t found = find_side(walls, plan, roof.gables[gable], key);
   const Bay& bay = plan.roofs[index];
   const LaidRoof laid(walls, plan, roof, index);
@@ -133,7 +131,7 @@ void plan_wall_roofs(const std::vector<WallSpec>& walls, const std::vector<WallR
   for (std::size_t i = 0; i < roofs.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       if (roofs[k].name == roofs[i].name)
-        faults.add({key_of(i, "name"), quoted(roofs[i].name) + " is already the name of " + key_of(k)});
+        faults.add({roof_key(i, "name"), quoted(roofs[i].name) + " is already the name of " + roof_key(k)});
     }
     const bool lies = faults.attempt([&] {
       plan.roofs[i] = find_bay(walls, plan, {"roof", i}, roofs[i].walls, std::nullopt, roofs[i].corners);
@@ -152,8 +150,8 @@ std::vector<NamedMaterial> loaded_roof_materials(const std::vector<WallSpec>& wa
   for (std::size_t i = 0; i < roofs.size(); ++i) {
     if (roofs[i].rafters.surcharge == 0.0) continue;
     if (!(roofs[i].rafters.surcharge > 0.0 && roofs[i].rafters.surcharge < 1e5))
-      throw InputError(key_of(i, "surcharge"), text(roofs[i].rafters.surcharge) + " kg/m2 is out of range; allowed: 0 to 100000");
-    const std::int32_t bare = find_material(materials, roofs[i].material, key_of(i, "material"));
+      throw InputError(roof_key(i, "surcharge"), text(roofs[i].rafters.surcharge) + " kg/m2 is out of range; allowed: 0 to 100000");
+    const std::int32_t bare = find_material(materials, roofs[i].material, roof_key(i, "material"));
     const LaidRoof laid(walls, plan, roofs[i], i);
     all.push_back({surcharged_name(roofs[i]), nth(materials, bare).value, bare});
     all.back().value.density += rafter_surcharge(laid.profile(), roofs[i].rafters, laid.length());
@@ -170,8 +168,8 @@ void add_rafters(const std::vector<WallSpec>& walls, const WallsPlan& plan, cons
     Block block;
     block.kind = PartKind::beam;
     block.span = static_cast<std::int32_t>(i);
-    block.material = roof.rafters.surcharge > 0.0 ? find_material(materials, surcharged_name(roof), key_of(i, "surcharge"))
-                                                  : find_material(materials, roof.material, key_of(i, "material"));
+    block.material = roof.rafters.surcharge > 0.0 ? find_material(materials, surcharged_name(roof), roof_key(i, "surcharge"))
+                                                  : find_material(materials, roof.material, roof_key(i, "material"));
     block.segment_size = segment_size_of(ticks(roof.rafters.beam[0]), ticks(roof.rafters.beam[1]),
                                          std::min(ticks(roof.rafters.element), ticks(p.upper)));
     for (RafterElement& e : laid.elements()) {
@@ -205,7 +203,7 @@ std::vector<PlannedTie> wall_roof_ties(const std::vector<WallSpec>& walls, const
 PlannedDeck wall_roof_deck(const std::vector<WallSpec>& walls, const WallsPlan& plan, const std::vector<WallRoof>& roofs,
                            std::size_t index, double foot) {
   const LaidRoof laid(walls, plan, roofs[index], index);
-  PlannedDeck deck = rafter_deck(laid.profile(), *roofs[index].rafters.deck, key_of(index, "deck"));
+  PlannedDeck deck = rafter_deck(laid.profile(), *roofs[index].rafters.deck, roof_key(index, "deck"));
   for (DeckBar& bar : deck.bars) {
     for (Vec3& end : bar.ends) end = laid.in_case(end) + Vec3{0, 0, foot};
   }
