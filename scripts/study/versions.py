@@ -9,6 +9,9 @@ import pathlib
 import re
 import sys
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "python/voussoir"))
+import toml_reading  # noqa: E402
+
 SAME = {"0.1.0 (physics 14)": "0.1.0 (physics 13)"}  # version: the earliest that gives its results
 DIFFER = re.compile(r"\bbase\b|\banalysis\b.*\blevel\b")  # in an override
 CATALOGUE = pathlib.Path(__file__).resolve().parents[2] / "cases" / "catalogue"
@@ -36,7 +39,6 @@ def path_of(name, folder):
 
 def has_what_changed(path):
     """Whether a case file, or one of its includes, has parts of the base or blocks kept level."""
-    import toml_reading  # here: not all that take a version have the folder of this module on their path
     case = toml_reading.loads(path.read_text())
     if case.get("base", {}).get("part") or case.get("analysis", {}).get("level"):
         return True

@@ -88,12 +88,14 @@ def read_curve(path):
     """Displacement [m] and force [N] of one test: two lines of words, names, units, then numbers in mm and kN."""
     with open(path, newline="", encoding="utf-8") as file:
         lines = list(csv.reader(line.replace(";", ",") for line in file))
-    lines = lines[next(i for i, line in enumerate(lines) if "[mm]" in line) - 3:]
-    names = lines[2]
+    at = next((i for i, line in enumerate(lines) if any(cell.startswith("[") for cell in line)), None)
+    if not at:
+        raise ValueError(f"{path}: no line of units below the names; wanted [mm] and [kN]")
+    names, units = lines[at - 1], lines[at]
     u, f = (names.index(one if one in names else other) for one, other in (("top_displacement", "Displacement"), ("horizontal_force", "Force")))
-    if (lines[3][u], lines[3][f]) != ("[mm]", "[kN]"):
-        raise ValueError(f"{path}: displacement and force in {lines[3][u]} and {lines[3][f]}; wanted [mm] and [kN]")
-    rows = [(number(row[u]), number(row[f])) for row in lines[4:] if len(row) > max(u, f)]
+    if (units[u], units[f]) != ("[mm]", "[kN]"):
+        raise ValueError(f"{path}: displacement and force in {units[u]} and {units[f]}; wanted [mm] and [kN]")
+    rows = [(number(row[u]), number(row[f])) for row in lines[at + 1:] if len(row) > max(u, f)]
     rows = [(x, y) for x, y in rows if not math.isnan(x + y)]
     return [1e-3 * x for x, _ in rows], [1e3 * y for _, y in rows]
 
