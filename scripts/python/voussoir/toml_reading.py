@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
-"""Reads TOML, also in Python 3.10, whose library cannot: there with tomli, which each pip for it holds. Scripts of studies import this file alone."""
+"""Reads TOML. Python 3.10 has no reader in its library; there it is tomli, which pip brings with it.
+
+Scripts of studies import this file alone, without the rest of the package."""
 
 try:
     from tomllib import TOMLDecodeError, loads

@@ -38,7 +38,8 @@ struct HingePoint {
   Vec3 on_a, on_b;              // m, from the centres at first (of the ground: the place)
 };
 
-/// A tie that yields: it pulls with `most` while it gets longer, with `least` while it gets shorter, and not where it is longer than it can be.
+/// A tie that yields: it pulls with `most` while it gets longer and with `least` while it gets shorter. Longer than `longest` it has broken
+/// and pulls with nothing.
 struct YieldingTie {
   struct Hold {
     std::int32_t part = -1;  // −1: the ground

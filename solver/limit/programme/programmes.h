@@ -23,7 +23,6 @@ struct ProgrammeForces {
   std::vector<double> ties;  // of Balance::ties
 };
 
-
 /// These forces on the model.
 ModelForces forces_on_model(const Balance& balance, const ProgrammeForces& f);
 

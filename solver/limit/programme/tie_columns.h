@@ -12,7 +12,7 @@
 
 namespace voussoir::solver {
 
-/// Costs of a unit of a tie's force, and of what is left up to its limit; >= 0, one of them zero.
+/// Costs of the two unknowns of a tie, per unit: of its force, and of the rest up to its yield force; >= 0, one of them zero.
 struct TieCost {
   double force = 0.0, left = 0.0;
 };
@@ -25,7 +25,7 @@ struct TieUse {
   std::optional<std::size_t> cost_row{};  // the equation that takes the costs; without it, what costs something is left out
 };
 
-/// Unknowns of ties: the force of each, and of those that yield what is left up to their limit.
+/// Unknowns of ties: the force of each, and of each tie that yields the rest up to its yield force.
 class TieColumns {
  public:
   /// Number of further equations of a programme with ties that yield: their limits.
