@@ -18,10 +18,10 @@ import pathlib
 import re
 import subprocess
 import sys
-import tomllib
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "python/voussoir"))
 import program
+import toml_reading
 from outcomes import difference, same_run
 from strength import words_of
 from versions import one_version
@@ -152,7 +152,7 @@ def main():
     parser.add_argument("--record")
     parser.add_argument("--bills", type=pathlib.Path)
     args = parser.parse_args()
-    cases = tomllib.loads(args.study.read_text())["cases"]
+    cases = toml_reading.loads(args.study.read_text())["cases"]
     done, keys = read(args.tables, args.record)
     names = [pathlib.Path(case).stem for case in cases]
     heads = ["measure", "effort", *(f"{d}, {strength}" if args.record else f"{d}, {record}, {strength}" for d, record, strength in keys), "mean (without)"]

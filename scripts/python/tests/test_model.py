@@ -3,11 +3,11 @@
 """Models, and what is wrong with them."""
 
 import os
-import tomllib
 import unittest
 
 import voussoir
 from fixture import ROOT, InAFolder, blocks
+from voussoir import toml_reading
 
 
 class Errors(InAFolder):
@@ -138,7 +138,7 @@ class Models(InAFolder):
         try:
             model = blocks()
             change(model)
-            return tomllib.loads(model.write("case.toml", overwrite=True).read_text())
+            return toml_reading.loads(model.write("case.toml", overwrite=True).read_text())
         finally:
             os.chdir(here)
 

@@ -4,12 +4,11 @@
 
 import dataclasses
 import inspect
-import tomllib
 import typing
 
 import voussoir
 from fixture import InAFolder, blocks
-from voussoir import parts, toml
+from voussoir import parts, toml, toml_reading
 from voussoir.parts import (Base, Block, Case, Gravity, House, HouseOpening, HouseTie, JointLaw, Joints, JointsBetween, Load, Material, Output,
                             OutputHistory, Time, Wall, WallOpening, WallOpeningLintel)
 
@@ -28,7 +27,7 @@ class Parts(InAFolder):
         model = blocks()
         model["motion"] = None
         of_objects = voussoir.Model.of(two_blocks())
-        self.assertEqual(tomllib.loads(of_objects.text()), tomllib.loads(model.text()))
+        self.assertEqual(toml_reading.loads(of_objects.text()), toml_reading.loads(model.text()))
         self.assertEqual(voussoir.check(two_blocks()).elements, 2)
         self.assertTrue(voussoir.run(two_blocks(), self.folder / "run", until=0.01, threads=1, progress=False).finished)
 
