@@ -58,6 +58,11 @@ Json summary_of(const Hdf5File& run, const Measures& m, const std::optional<Capa
     out["peak_base_shear"] = peak_base_shear(run).value;
     if (!m.series.time.empty()) out["end_time"] = m.series.time.back();
   }
+  if (out.contains("peak_base_shear")) {
+    const PeakBaseShear peak{out["peak_base_shear"].get<double>()};
+    const double share = peak.over(weight_of(run, norm(case_of_run(run).gravity.acceleration)));
+    if (std::isfinite(share)) out["base_shear_over_weight"] = share;
+  }
   if (out.value("finished", 0) == 0 && out.contains("end_time")) {
     const cases::Case c = case_of_run(run);
     const double end = out["end_time"];
@@ -209,7 +214,10 @@ void print_table(const Json& s, const Measures& m) {
   print_seats(m);
   print_penetration(m);
   print_modes(s);
-  if (s.contains("peak_base_shear")) line_of_chance(m, "peak base shear", text("%.1f kN", 1e-3 * s["peak_base_shear"].get<double>()));
+  if (s.contains("peak_base_shear")) {
+    const std::string share = s.contains("base_shear_over_weight") ? text(", %.3f of the weight", s["base_shear_over_weight"]) : "";
+    line_of_chance(m, "peak base shear", text("%.1f kN", 1e-3 * s["peak_base_shear"].get<double>()) + share);
+  }
   if (s.contains("peak_speed")) line_of_chance(m, "peak speed", text("%.2f m/s", s["peak_speed"]));
   for (const PointAcceleration& p : m.accelerations.points)
     line_of_chance(m, "peak acceleration", text("%.2f m/s2", p.peak_horizontal) + " at " + p.name + ", horizontal, below 50 Hz");

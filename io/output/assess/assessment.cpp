@@ -130,7 +130,7 @@ void read_cuts(const Hdf5File& run, const cases::Case& c, Assessment& out) {
 void read_base_shear(const Hdf5File& run, Assessment& out) {
   const PeakBaseShear peak = peak_base_shear(run);
   out.base_shear = {peak.value, peak.time};
-  out.base_shear_over_weight = out.weight > 0 ? out.base_shear.value / out.weight : kNone;
+  out.base_shear_over_weight = peak.over(out.weight);
 }
 
 /// Refuses heights of storeys that lie outside the walls.
@@ -259,7 +259,7 @@ class Assessor {
 Assessment assess(const Hdf5File& run, const cases::Case& c, const Building& building, std::optional<double> time,
                   const std::vector<double>& levels) {
   Assessment out = Assessor(run, building, levels).all(run, time);
-  for (const double m : building.mass) out.weight += m * norm(c.gravity.acceleration);
+  out.weight = weight_of(run, norm(c.gravity.acceleration));
   read_base_shear(run, out);
   read_cuts(run, c, out);
   return out;

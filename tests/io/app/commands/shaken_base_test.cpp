@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <cstdio>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "io/input/files/hdf5_file.h"
@@ -88,4 +90,18 @@ TEST_CASE("a run that is sent further has the bits of one that was not stopped: 
   REQUIRE(voussoir_says("resume " + folder.path("further") + " --quiet -j 1 --until 0.04").code == 0);
   const Outcome o = voussoir_says("compare " + folder.path("straight") + " " + folder.path("further"));
   CHECK_MESSAGE(o.code == 0, o.text);
+}
+
+TEST_CASE("summary: the peak base shear is told as a share of the weight, as by assess") {
+  const TempFolder folder;
+  const std::string house = folder.write("case.toml", kStone), x = folder.write("x.csv", constant(3.0)), out = folder.path("out");
+  REQUIRE(voussoir_says("run " + house + " --motion x=" + x + " -j 1 --quiet -o " + out).code == 0);
+  const auto json = [&](const std::string& command) { return nlohmann::json::parse(voussoir_says(command + " " + out + " --format json").text); };
+  const auto summary = json("summary"), assessment = json("assess");
+  const double share = summary.at("base_shear_over_weight");
+  CHECK(share == assessment.at("base_shear_over_weight").get<double>());
+  CHECK(share * 0.2 * 0.2 * 0.2 * 2000.0 * 9.8 == doctest::Approx(summary.at("peak_base_shear").get<double>()).epsilon(1e-12));  // N
+  char words[32];
+  std::snprintf(words, sizeof words, ", %.3f of the weight", share);
+  CHECK(says(voussoir_says("summary " + out), words));
 }
