@@ -90,23 +90,26 @@ class Interrupts(InAFolder):
         self.addCleanup(lambda: (self.client.stop_channels(), self.manager.shutdown_kernel(now=True)))
         self.client.execute_interactive(f"import sys; sys.path.insert(0, {str(HERE)!r})\nimport fixture, voussoir", timeout=60)
 
-    def interrupted(self, code):
-        """The reply to a cell that is interrupted once it shows a bar that has moved, and what it has shown."""
-        shown = []
+    def interrupted(self, code, after=""):
+        """The reply to a cell that is interrupted once it shows a bar that has moved, after it has printed `after`; and what it has shown."""
+        shown, said, sent = [], [], []
         def look(message):
             content = message["content"]
+            if "text" in content:
+                said.append(content["text"])
             if "data" in content:
                 shown.append(content["data"]["text/plain"])
-                if " of 300 s" in shown[-1] and not any(" of 300 s" in text for text in shown[:-1]):
+                if " of 300 s" in shown[-1] and not sent and after in "".join(said):
+                    sent.append(True)
                     self.manager.interrupt_kernel()
         return self.client.execute_interactive(code, timeout=120, output_hook=look)["content"], shown
 
     def test_a_run_that_a_cell_waits_for(self):
         straight = blocks().run(self.folder / "straight", until=LONG, threads=1, progress=False)
         for name, code in {"run": f"fixture.blocks().run('run', until={LONG}, threads=1)",
-                           "job": f"from IPython.display import display\njob = fixture.blocks().start('job', until={LONG}, threads=1)\ndisplay(job)\njob.wait()"}.items():
+                           "job": f"from IPython.display import display\njob = fixture.blocks().start('job', until={LONG}, threads=1)\ndisplay(job)\nprint('waits', flush=True)\njob.wait()"}.items():
             with self.subTest(name):
-                reply, shown = self.interrupted(code)
+                reply, shown = self.interrupted(code, after="waits" if name == "job" else "")
                 self.assertEqual((reply["status"], reply["ename"]), ("error", "Stopped"))
                 self.assertRegex(shown[-1], "stopped at .* of 300 s; saved, so that it can go on")
                 run = voussoir.Run(self.folder / name)
