@@ -31,7 +31,8 @@ class Ledger {
   /// completes it.
   void before_kick(World& w);
   /// Completes and returns the row, after the drift. \param f  of the step, as for its kick
-  EnergyRow after_drift(const World& w, const kernels::BodyForces& f, double time);
+  /// \param counts  the row is a result: its residual is one of those of which the worst is told
+  EnergyRow after_drift(const World& w, const kernels::BodyForces& f, double time, bool counts);
 
   [[nodiscard]] double kinetic_over_elastic() const { return std::abs(last_.kinetic) / (last_.strain + last_.contact + 1e-300); }
   [[nodiscard]] const EnergyRow& last() const { return last_; }

@@ -283,7 +283,7 @@ void Simulation::advance(Due due) {
     kick_and_drift();
   }
   if (phase_ != Phase::settling && supports_turn(w)) note(StepStage::support_spins), spin_supports(w);
-  if (due.ledger) note(StepStage::ledger_after), ledger_.after_drift(w, body_forces(0), t);
+  if (due.ledger) note(StepStage::ledger_after), ledger_.after_drift(w, body_forces(0), t, !path_.is_lost());
   ++step_;
   if (step_ % kGuardInterval == 0) peak_speed_ = std::max(peak_speed_, std::sqrt(fastest_square()));
 }

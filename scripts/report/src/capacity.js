@@ -44,6 +44,8 @@ function demandRows(p) {
 
 const control = (c) => (c.control ? [["Control point", `${c.control.part}, element ${c.control.element}, at (${c.control.position.map((x) => x.toFixed(2)).join(", ")}) m`]] : []);
 
+const doubts = (c) => (c.not_proven ?? []).map((words) => ["Not proven", words]);
+
 /** Walls that the ground has left: [name, value]. */
 const hanging = (c) => (c.hanging ?? []).map((h) => [`Ground has left the ${h.wall}`, `over ${h.length.toFixed(2)} m (${h.from.toFixed(2)} to ${h.to.toFixed(2)} m from its left end), by up to ${millimetres(h.gap)} at ${h.height.toFixed(2)} m; what is above hangs by its mortar`]);
 
@@ -51,15 +53,15 @@ const hanging = (c) => (c.hanging ?? []).map((h) => [`Ground has left the ${h.wa
 export function capacityTable({ facts }) {
   const c = facts.capacity;
   if (!c) return [];
-  if (c.kind === "rest") return [...control(c), ["Unbalanced, of an element's mean weight", is(c.unbalanced) ? c.unbalanced.toExponential(1) : "–"], ...hanging(c), ["Mechanism at the end", c.mechanism_at_end.join("; ")]];
-  if (c.kind === "settlement") return [...control(c), ["Fell at", fixed(c.collapse_time, 2, "s")], ...hanging(c), ["Mechanism at the end", c.mechanism_at_end.join("; ")]];
+  if (c.kind === "rest") return [...control(c), ...doubts(c), ["Unbalanced, of an element's mean weight", is(c.unbalanced) ? c.unbalanced.toExponential(1) : "–"], ...hanging(c), ["Mechanism at the end", c.mechanism_at_end.join("; ")]];
+  if (c.kind === "settlement") return [...control(c), ...doubts(c), ["Fell at", fixed(c.collapse_time, 2, "s")], ...hanging(c), ["Mechanism at the end", c.mechanism_at_end.join("; ")]];
   const loops = (c.loops ?? []).flatMap((l, i) => [
     [`Loop ${i + 1}, ${millimetres(l.least)} to ${millimetres(l.most)}`, fixed(l.area, 2, "J")],
     [`… ${i + 1} lost, stored`, `${l.dissipated.toFixed(2)}, ${l.stored.toFixed(2)} J`],
     [`… ${i + 1} viscous damping`, percent(l.viscous_damping, 1)],
   ]);
   const grows = c.kind === "cyclic" ? loops : [...named(bilinear(c, "ec8", "EC 8"), "EC 8"), ...named(bilinear(c, "ntc", "NTC 2018"), "NTC"), ...demandRows(c.performance), ["At the peak", c.mechanism.join("; ")], ["At the end", c.mechanism_at_end.join("; ")]];
-  return [...control(c), ["Borne by inertia and damping", percent(c.motion_share)], ["Kinetic energy over work", percent(c.kinetic_share)], ...grows];
+  return [...control(c), ...doubts(c), ["Borne by inertia and damping", percent(c.motion_share)], ["Kinetic energy over work", percent(c.kinetic_share)], ...grows];
 }
 
 /** Limit analysis of the same case, and why it may differ: [name, value]. */

@@ -300,7 +300,10 @@ CapacityCurve curve_of(const Hdf5File& run, const std::array<double, 2>& directi
   std::size_t k = 0, kept = 0;
   for (; kept < c.time.size(); ++kept) {
     while (k < time.size() && time[k] < c.time[kept]) ++k;
-    if (k == time.size() || !(residual[k] <= solver::kResidualLimit)) break;  // a row after the run was lost
+    if (k == time.size()) break;
+    const bool lost = c.over[kept] == kLost;  // its motion is no result, whatever its residual
+    if (lost) c.lost_residual = residual[k];
+    if (!lost && !(residual[k] <= solver::kResidualLimit)) break;  // a row after the run was lost
     c.input.push_back(input[k]), c.kinetic.push_back(kinetic[k]), c.damping.push_back(damping[k]);
     c.losses.push_back(dashpot[k] + friction[k] + fracture[k] + damping[k]);
     c.stored.push_back(kinetic[k] + strain[k] + contact[k] + gravity[k]);
@@ -334,7 +337,7 @@ std::optional<ControlPoint> control_of(const Hdf5File& run) {
 
 Capacity capacity_of(cases::AnalysisKind kind, double drop, double pace, double weight, double quiet, CapacityCurve curve) {
   Capacity c;
-  c.kind = kind, c.drop = drop;
+  c.kind = kind, c.drop = drop, c.lost_residual = curve.lost_residual;
   c.curve = std::move(curve);
   if (follows_supports(kind)) {
     look_at_fall(c, quiet);

@@ -49,6 +49,7 @@ struct Capacity {
   double multiplier_at_rest = 0.0;      // largest mean over a tenth of the pace, without the part borne by inertia and mass damping
   double motion_share = 0.0;            // of that mean, the part borne by inertia and mass damping
   double unbalanced = Bilinear::kNone;  // analysis.solver = "equilibrium": largest of the rows; then the shares of motion are 0
+  double lost_residual = Bilinear::kNone;  // residual of the ledger where no further state of rest was found; NaN: another end
   double kinetic_share = 0.0;           // largest kinetic energy over the work put in until then
   double fallen_before = 0.0;           // of the mass: what moved by more than half its least size while gravity was put on
   double multiplier_time = 0.0, multiplier_displacement = 0.0;                       // of multiplier_at_rest: s, m of the control point

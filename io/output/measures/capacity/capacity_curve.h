@@ -15,6 +15,7 @@ struct CapacityCurve {
   std::vector<double> support_moved, over;                             // m, 0 or 1
   std::vector<double> input, kinetic, damping, losses, stored;         // J; losses include damping, stored includes kinetic
   std::vector<double> unbalanced;  // 1, how far each row is from a state of rest; empty: rows of a motion
+  double lost_residual = std::numeric_limits<double>::quiet_NaN();  // 1, of the ledger where no further state of rest was found
 };
 
 /// An elastic-perfectly plastic curve.

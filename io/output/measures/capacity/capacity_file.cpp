@@ -10,6 +10,7 @@
 
 #include "io/input/files/hdf5_file.h"
 #include "io/output/measures/capacity/performance_file.h"
+#include "solver/run/run.h"
 
 namespace voussoir::io {
 namespace {
@@ -153,8 +154,17 @@ const char* name_of(AnalysisKind kind) {
   return "";
 }
 
+std::vector<std::string> not_proven(const Capacity& c) {
+  if (!(c.lost_residual > solver::kResidualLimit)) return {};
+  char text[160];
+  std::snprintf(text, sizeof text, "contacts jumped from iteration to iteration (energy error %.2g): a state of rest may have been missed",
+                c.lost_residual);
+  return {text};
+}
+
 std::vector<Figure> figures_of(const Capacity& c) {
   std::vector<Figure> f{{"kind", name_of(c.kind), "analysis.kind"}, {"ended", c.ended, "why"}};
+  f.push_back({"lost_residual", c.lost_residual, "1, residual of the ledger where no further state of rest was found (NaN: another end)"});
   if (c.kind == AnalysisKind::rest) {
     f.push_back({"share", share_at_rest(c), "1, of the loads that grow and of the supports' movements, at the last state of rest"});
     f.push_back({"unbalanced", c.unbalanced, "1, largest unbalanced force over the mean weight of an element"});
@@ -208,6 +218,7 @@ std::string capacity_json(const Capacity& c, bool with_curve) {
     const Vec3 p = c.control->position;
     out["control"] = {{"element", c.control->element}, {"part", c.control->part}, {"position", {p.x, p.y, p.z}}};
   }
+  out["not_proven"] = not_proven(c);
   out["mechanism"] = c.mechanism;
   out["mechanism_time"] = c.mechanism_time;
   out["mechanism_at_end"] = c.mechanism_at_end;
@@ -223,6 +234,7 @@ std::string capacity_text(const Capacity& c) {
   const bool on = c.ended == "not yet";
   std::string text = on ? line("analysis", "%s, not at its end: figures so far", name_of(c.kind))
                         : line("analysis", "%s, ended by: %s", name_of(c.kind), c.ended.c_str());
+  for (const std::string& doubt : not_proven(c)) text += line("not proven", "%s", doubt.c_str());
   if (c.control) {
     const Vec3 p = c.control->position;
     text += line("control point", "%s (element %lld), at (%.3f, %.3f, %.3f) m", c.control->part.c_str(),

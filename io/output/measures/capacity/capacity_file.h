@@ -17,6 +17,9 @@ const char* name_of(cases::AnalysisKind kind);
 /// The figures that apply to the kind of the analysis. NaN: not defined.
 std::vector<Figure> figures_of(const Capacity& c);
 
+/// What the analysis could not prove, a sentence each.
+std::vector<std::string> not_proven(const Capacity& c);
+
 /// Figures and mechanism as one JSON object, null for NaN; with the curve if `with_curve`.
 std::string capacity_json(const Capacity& c, bool with_curve);
 

@@ -255,3 +255,38 @@ TEST_CASE("capacity: states of rest that stop short of the longest time have com
   CHECK(ended(3.0) == "longest");
   CHECK(ended(2.8) == "not yet");
 }
+
+TEST_CASE("capacity: a path without a further state of rest is told as one, however its last iterations kept their energy") {
+  for (const double residual : {1e-6, 35.0}) {
+    CAPTURE(residual);
+    const test::TempFolder folder;
+    ResultsWriter writer(folder.path(), test::two_cubes(), std::string(test::kCase) + "\n[analysis]\nkind = \"pushover\"\nlongest = 3.0\n",
+                         test::kNames, {}, test::by_hand());
+    solver::Drive drive;
+    drive.frequency = 10.0, drive.pace = 2.0, drive.weight = kWeight;
+    writer.drive(drive);
+    for (int i = 0; i <= 10; ++i) {
+      const bool lost = i == 10;
+      solver::EnergyRow energy;
+      energy.time = 0.1 * i, energy.residual = lost ? residual : 1e-9;
+      writer.energy(energy);
+      writer.forces({0.1 * i, {-1.0 * i, 0.0, 0.0}, {}});
+      solver::AssessmentRow row{0.1 * i, 0.01 * i, 0.001 * i, 0.002 * i, 0.001 * i, 1.0 * i, 0.0, lost ? 2.0 : 0.0};
+      row.unbalanced = lost ? 9.0 : 1e-5;
+      writer.assessment(row);
+    }
+    solver::Summary summary;
+    summary.end_time = 1.0;
+    writer.summary(summary);
+    writer.finish();
+    const Capacity got = *capacity_of(Hdf5File::open(folder.file("run.h5")));
+    CHECK(got.ended == "no further state of rest");
+    CHECK(got.curve.time.size() == 10);
+    CHECK(got.multiplier == doctest::Approx(0.09));
+    CHECK(got.unbalanced == 1e-5);
+    CHECK(got.lost_residual == residual);
+    CHECK(not_proven(got).size() == (residual > 1.0 ? 1U : 0U));
+    CHECK((capacity_text(got).find("a state of rest may have been missed") != std::string::npos) == (residual > 1.0));
+    CHECK(nlohmann::json::parse(capacity_json(got, false)).at("not_proven") == nlohmann::json(not_proven(got)));
+  }
+}
