@@ -32,24 +32,37 @@ def chosen(measured, names):
     return [w for name, w in known.items() if not names or name in names]
 
 
+class RunLost(RuntimeError):
+    """The program ended a run with a numerical failure; its words."""
+
+
 def is_done(folder, text):
-    """Whether a finished run of exactly this case exists."""
-    case, took = folder / "case.toml", folder / "took.txt"
-    return case.exists() and took.exists() and case.read_text() == text
+    """Whether a run of exactly this case exists that is finished, or lost."""
+    case = folder / "case.toml"
+    return case.exists() and (folder / "took.txt").exists() and case.read_text() == text
 
 
 def run(wall, folder, text):
-    """Runs the case of the wall in the folder unless done before. Returns the folder."""
+    """Runs the case of the wall in the folder unless done before. Returns the folder. Raises RunLost."""
     if is_done(folder, text):
+        if (folder / "lost.txt").exists():
+            raise RunLost((folder / "lost.txt").read_text())
         return folder
     folder.mkdir(parents=True, exist_ok=True)
-    (folder / "took.txt").unlink(missing_ok=True)
+    for name in ("took.txt", "lost.txt"):
+        (folder / name).unlink(missing_ok=True)
     (folder / "case.toml").write_text(text)
     start = time.monotonic()
     with open(folder / "log.txt", "w") as log:
         done = subprocess.run([PROGRAM, "run", str(folder / "case.toml"), "-j", "1", "--overwrite", "-o", str(folder / "run")],
                               stdout=log, stderr=subprocess.STDOUT, check=False)
-    if done.returncode != 0:
+    words = (folder / "log.txt").read_text(errors="replace")
+    lost = words.partition("voussoir: numerical failure: ")[2].partition("\n")[0] if done.returncode == 1 else ""
+    if lost:
+        (folder / "lost.txt").write_text(lost)
+    elif done.returncode != 0:
         raise RuntimeError(f"{wall.name}: the run ended with exit code {done.returncode}; see {folder / 'log.txt'}")
     (folder / "took.txt").write_text(f"{time.monotonic() - start:.0f}")
+    if lost:
+        raise RunLost(lost)
     return folder

@@ -192,7 +192,11 @@ def left_out_rows(left_out):
     return lines
 
 
-def page(done, left_out):
+def lost_rows(lost):
+    return ["| test | | why |", "|---|---|---|", *(f"| {stone.wall.tests[0]} | {variant} | {words} |" for stone, variant, words in lost)]
+
+
+def page(done, lost, left_out):
     lines = [INTRO, f"(`scripts/validation/stone_walls`, {datetime.date.today()}, {tables.version()}, one thread; {machine()})", "", "## Together", ""]
     variants = {v: [c for c in done if c.variant == v] for v in VARIANTS}
     common = set.intersection(*({c.stone.wall.name for c in of} for of in variants.values()))
@@ -203,6 +207,8 @@ def page(done, left_out):
     lines += ["| " + " | ".join([rows[0][0], *(r[1] for r in rows), rows[0][2]]) + " |" for rows in zip(*figures)]
     lines += ["", "## Left out", "", "Walls that bore more than a rigid wall without tension can under the load and the height of zero",
               "moment of the table, N L/(2 H0): no model with these data reaches them.", "", *left_out_rows(left_out), ""] if left_out else [""]
+    if lost:
+        lines += ["## Lost", "", "Runs that the program ended before their end, since it could not vouch for them.", "", *lost_rows(lost), ""]
     for words, of in variants.items():
         rows = summary(of)
         lines += [f"## {words[0].upper()}{words[1:]}", "", f"{sum(len(c.stone.tests) for c in of)} tests of {len(of)} kinds: mean error of the peak over tests "

@@ -51,6 +51,13 @@ void check_residual(const Simulation& sim) {
   const EnergyRow& e = sim.energy();
   if (e.residual <= kResidualLimit) return;
   char text[400];
+  if (sim.relaxation().on()) {
+    std::snprintf(text, sizeof text,
+                  "the energy ledger is off by %.3g of the energy in play at state of rest %lld (allowed: %g): contacts jumped from iteration "
+                  "to iteration on the way to it; the states before it are kept",
+                  e.residual, static_cast<long long>(sim.path().points()), kResidualLimit);
+    throw NumericalError(text);
+  }
   std::snprintf(text, sizeof text,
                 "the energy ledger is off by %.3g of the energy in play at t = %.4f s (allowed: %g); fastest is %s; try --dt %.3g",
                 e.residual, sim.time(), kResidualLimit, sim.fastest_element().c_str(), 0.5 * sim.dt());

@@ -237,8 +237,10 @@ bool has_fallen(const Hdf5File& run) {
 }
 
 /// \param end  s, up to which the run has come: beyond the last row where that is the last state of rest
-const char* why_ended(const Capacity& c, const cases::Analysis& a, bool collapsed, double end) {
+/// \param failed  the program ended the run, since it could not vouch for what came next
+const char* why_ended(const Capacity& c, const cases::Analysis& a, bool collapsed, double end, bool failed) {
   const CapacityCurve& r = c.curve;
+  if (failed) return "numerical failure";
   if (r.over.back() == kLost) return "no further state of rest";
   if (r.over.back() == 0.0) return collapsed ? "collapse" : end < a.longest * (1.0 - 1e-3) ? "not yet" : "longest";
   if (a.kind == cases::AnalysisKind::rest) return collapsed ? "collapse" : "all is on";
@@ -362,7 +364,8 @@ std::optional<Capacity> capacity_figures(const Hdf5File& run) {
   const bool collapsed = (run.has_attribute("/summary", "collapsed") && run.attribute_int("/summary", "collapsed") != 0) ||
                          (a.kind == cases::AnalysisKind::rest && has_fallen(run));  // rubble rests, too
   const bool told = run.has_attribute("/summary", "end_time");
-  c.ended = why_ended(c, a, collapsed, told ? run.attribute_double("/summary", "end_time") : c.curve.time.back());
+  c.ended = why_ended(c, a, collapsed, told ? run.attribute_double("/summary", "end_time") : c.curve.time.back(),
+                      run.has_attribute("/summary", "failure"));
   c.control = control_of(run);
   return c;
 }

@@ -231,9 +231,10 @@ std::string capacity_json(const Capacity& c, bool with_curve) {
 }
 
 std::string capacity_text(const Capacity& c) {
-  const bool on = c.ended == "not yet";
-  std::string text = on ? line("analysis", "%s, not at its end: figures so far", name_of(c.kind))
-                        : line("analysis", "%s, ended by: %s", name_of(c.kind), c.ended.c_str());
+  const bool failed = c.ended == "numerical failure", on = failed || c.ended == "not yet";  // figures so far
+  std::string text = failed ? line("analysis", "%s, ended by: %s; figures up to there", name_of(c.kind), c.ended.c_str())
+                     : on   ? line("analysis", "%s, not at its end: figures so far", name_of(c.kind))
+                            : line("analysis", "%s, ended by: %s", name_of(c.kind), c.ended.c_str());
   for (const std::string& doubt : not_proven(c)) text += line("not proven", "%s", doubt.c_str());
   if (c.control) {
     const Vec3 p = c.control->position;

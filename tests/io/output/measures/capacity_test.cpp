@@ -232,7 +232,7 @@ TEST_CASE("capacity: an arch falls when it moves faster than it follows its supp
 }
 
 TEST_CASE("capacity: states of rest that stop short of the longest time have come to it once the run has") {
-  const auto ended = [](double end) {
+  const auto ended = [](double end, bool failed = false) {
     const test::TempFolder folder;
     ResultsWriter writer(folder.path(), test::two_cubes(), std::string(test::kCase) + "\n[analysis]\nkind = \"pushover\"\nlongest = 3.0\n",
                          test::kNames, {}, test::by_hand());
@@ -249,11 +249,17 @@ TEST_CASE("capacity: states of rest that stop short of the longest time have com
     solver::Summary summary;
     summary.end_time = end;
     writer.summary(summary);
+    if (failed) writer.failure("as a test");
     writer.finish();
-    return capacity_of(Hdf5File::open(folder.file("run.h5")))->ended;
+    const Capacity c = *capacity_of(Hdf5File::open(folder.file("run.h5")));
+    const std::string words =
+        c.ended == "not yet" ? "not at its end: figures so far" : "ended by: " + c.ended + (failed ? "; figures up to there" : "\n");
+    CHECK(capacity_text(c).find(words) != std::string::npos);
+    return c.ended;
   };
   CHECK(ended(3.0) == "longest");
   CHECK(ended(2.8) == "not yet");
+  CHECK(ended(2.8, true) == "numerical failure");
 }
 
 TEST_CASE("capacity: a path without a further state of rest is told as one, however its last iterations kept their energy") {
