@@ -27,7 +27,31 @@ constexpr double kShifts[] = {1e-13, 1e-15, 1e-17};  // of the mean diagonal ent
 constexpr int kMostGradients = 30;                   // of a solution of the normal equations
 constexpr int kRefinements = 3;                      // of a step
 constexpr double kMissed = 0.1;     // of the equations' residual, or of its tolerance if that is larger: what a step may leave
-constexpr double kRefined = 1e-12;  // relative residual of the normal equations that is good enough
+constexpr double kRefined = 1e-12;  // relative residual of the normal equations that is good enough for a step
+constexpr double kPredicted = 1e-3;  // likewise for the prediction, which steers the step alone
+
+double price_of(const Columns& a, Index column, const VectorXd& y) {
+  double sum = 0.0;
+  for (Columns::InnerIterator at(a, column); at; ++at) sum += at.value() * y(at.row());
+  return sum;
+}
+
+/// Aᵀ y. Eigen's product shares it among threads, which spin while they wait for each other: four times the processor time.
+VectorXd prices_of(const Columns& a, const VectorXd& y) {
+  VectorXd out(a.cols());
+  for (Index c = 0; c < a.cols(); ++c) out(c) = price_of(a, c, y);
+  return out;
+}
+
+/// A D Aᵀ y, in one pass over the columns.
+VectorXd normal_product(const Columns& a, const VectorXd& d, const VectorXd& y) {
+  VectorXd out = VectorXd::Zero(a.rows());
+  for (Index c = 0; c < a.cols(); ++c) {
+    const double price = d(c) * price_of(a, c, y);
+    for (Columns::InnerIterator at(a, c); at; ++at) out(at.row()) += at.value() * price;
+  }
+  return out;
+}
 
 /// A D Aᵀ with D diagonal and positive, for its inverse: the first column of A is kept apart, by Sherman and Morrison's formula.
 class NormalEquations {
@@ -50,16 +74,17 @@ class NormalEquations {
   }
 
   /// By conjugate gradients, with the factors as preconditioner: what the shift and rounding spoil in them costs iterations, not digits.
-  [[nodiscard]] VectorXd solve(const VectorXd& right) const {
+  /// \param refined  relative residual that is good enough
+  [[nodiscard]] VectorXd solve(const VectorXd& right, double refined) const {
     VectorXd y = VectorXd::Zero(right.size()), left = right, along = once(right), towards = along;
     double slope = left.dot(towards);
     if (!(slope > 0.0)) return towards;
     for (int i = 0; i < kMostGradients && slope > 0.0; ++i) {
-      const VectorXd product = a_ * d_.cwiseProduct(a_.transpose() * along);
+      const VectorXd product = normal_product(a_, d_, along);
       const double step = slope / along.dot(product);
       if (!std::isfinite(step)) break;
       y += step * along, left -= step * product;
-      if (left.norm() <= kRefined * right.norm()) break;
+      if (left.norm() <= refined * right.norm()) break;
       towards = once(left);
       const double next = left.dot(towards);
       along = towards + (next / slope) * along, slope = next;
@@ -158,9 +183,9 @@ class Method {
   bool start() {
     const Index n = p_.matrix.cols();
     if (!normal_.factorise(VectorXd::Ones(n), kShifts[0])) return false;
-    x_ = p_.matrix.transpose() * normal_.solve(p_.right);
-    y_ = normal_.solve(p_.matrix * p_.costs);
-    z_ = p_.costs - p_.matrix.transpose() * y_;
+    x_ = prices_of(p_.matrix, normal_.solve(p_.right, kRefined));
+    y_ = normal_.solve(p_.matrix * p_.costs, kRefined);
+    z_ = p_.costs - prices_of(p_.matrix, y_);
     x_.array() += std::max(0.0, -1.5 * x_.minCoeff());
     z_.array() += std::max(0.0, -1.5 * z_.minCoeff());
     const double product = x_.dot(z_), sum_x = x_.sum(), sum_z = z_.sum();
@@ -170,7 +195,7 @@ class Method {
   }
   void find_residuals() {
     primal_ = p_.right - p_.matrix * x_;
-    dual_ = p_.costs - p_.matrix.transpose() * y_ - z_;
+    dual_ = p_.costs - prices_of(p_.matrix, y_) - z_;
     mean_ = x_.dot(z_) / static_cast<double>(x_.size());
   }
   [[nodiscard]] bool is_done() const {
@@ -183,13 +208,13 @@ class Method {
     double missed = std::numeric_limits<double>::infinity();  // of the equations, once x is changed by all of it
   };
   /// Newton's step towards x z = products.
-  [[nodiscard]] Change newton(const VectorXd& products) const {
+  /// \param refined  relative residual of the normal equations
+  [[nodiscard]] Change newton(const VectorXd& products, double refined) const {
     Change c;
     const VectorXd d = x_.cwiseQuotient(z_), centring = products.cwiseQuotient(z_);
-    c.y = normal_.solve(primal_ + p_.matrix * (d.cwiseProduct(dual_) - centring));
-    c.z = dual_ - p_.matrix.transpose() * c.y;
+    c.y = normal_.solve(primal_ + p_.matrix * (d.cwiseProduct(dual_) - centring), refined);
+    c.z = dual_ - prices_of(p_.matrix, c.y);
     c.x = centring - d.cwiseProduct(c.z);
-    take_off_missed(d, c);
     return c;
   }
   /// What rounding leaves of the equations is taken off the change of the unknowns itself: near the end d ranges over so many orders that
@@ -197,7 +222,7 @@ class Method {
   void take_off_missed(const VectorXd& d, Change& c) const {
     VectorXd left = primal_ - p_.matrix * c.x;
     for (int i = 0; i < kRefinements && left.norm() > 0.0; ++i) {
-      const VectorXd better = c.x + d.cwiseProduct(p_.matrix.transpose() * normal_.solve(left));
+      const VectorXd better = c.x + d.cwiseProduct(prices_of(p_.matrix, normal_.solve(left, kRefined)));
       const VectorXd now = primal_ - p_.matrix * better;
       if (!(now.norm() < 0.5 * left.norm())) break;
       c.x = better, left = now;
@@ -207,12 +232,14 @@ class Method {
   /// Predictor, then corrector.
   [[nodiscard]] Change corrected() const {
     const VectorXd now = x_.cwiseProduct(z_);
-    const Change predicted = newton(-now);
+    const Change predicted = newton(-now, kPredicted);
     const double reach_x = longest(x_, predicted.x), reach_z = longest(z_, predicted.z);
     const double would_be = (x_ + reach_x * predicted.x).dot(z_ + reach_z * predicted.z) / static_cast<double>(x_.size());
     const double centre = std::pow(would_be / mean_, 3);
     const VectorXd target = (-now - predicted.x.cwiseProduct(predicted.z)).array() + centre * mean_;
-    return newton(target);
+    Change change = newton(target, kRefined);
+    take_off_missed(x_.cwiseQuotient(z_), change);
+    return change;
   }
   /// A large shift hides equations whose unknowns are all small, a small one lets round-off into the pivots of redundant equations. The
   /// first is taken that misses little, else the one that misses least.
