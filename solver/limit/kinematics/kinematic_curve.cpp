@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/limit/kinematics/kinematic_curve.h"
 
-#include <Eigen/Dense>
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,14 +14,14 @@
 #include "cases/model.h"
 #include "geometry/nth.h"
 #include "solver/limit/kinematics/mechanism.h"
+#include "solver/limit/kinematics/null_space.h"
 
 namespace voussoir::solver {
 namespace {
 
 constexpr double kBears = 1e-6;  // of the moving weight: a tie that bears less bears nothing
-constexpr std::size_t kMostParts = 24;  // more are no mechanism that one can draw, and take long
 constexpr double kAtRest = 1e-3;        // of the fastest point: relative speed of a point on a hinge
-constexpr double kRank = 3e-3;          // relative singular value below which a hinge holds nothing
+constexpr double kRank = 3e-3;          // singular value, of the mean norm of columns, below which a hinge holds nothing
 constexpr int kSteps = 200;             // up to the displacement at which the first slope would lead to zero
 constexpr int kMostSteps = 5 * kSteps;
 constexpr double kFirstStep = 1e-4;  // m, of the fastest point
@@ -69,10 +69,8 @@ class Chain {
       for (const std::int32_t b : p.bodies) nth(part_of, b) = static_cast<std::int32_t>(k);
       mass_.push_back(p.mass), start_.push_back({p.centre}), motion_.push_back(p.motion);
     }
-    length_ = 0.0;
-    for (const LimitPoint& p : contacts.points)
-      for (const Place& s : start_) length_ = std::max(length_, norm(p.at - s.centre));
     add_hinges(contacts, mechanism, part_of);
+    find_lengths();
     add_loads(c, model, contacts, part_of);
     add_ties(model, contacts, part_of);
   }
@@ -85,14 +83,10 @@ class Chain {
   /// The motion nearest to `before` in which the hinges hold.
   [[nodiscard]] std::vector<kernels::Twist> held(const std::vector<Place>& at, const std::vector<kernels::Twist>& before) const {
     if (hinges_.empty()) return before;
-    const Eigen::MatrixXd a = constraints(at);
-    Eigen::VectorXd v = packed(before);
-    v -= decomposed(a).solve(a * v);
-    return unpacked(v);
+    return unpacked(null_part(constraints(at), packed(before), kRank));
   }
   [[nodiscard]] std::size_t freedoms() const {
-    const std::size_t all = 6 * mass_.size();
-    return hinges_.empty() ? all : all - static_cast<std::size_t>(decomposed(constraints(start_)).rank());
+    return hinges_.empty() ? 6 * mass_.size() : nullity(constraints(start_), kRank);
   }
   /// The multiplier by virtual work. NaN: the live forces do no work.
   [[nodiscard]] double multiplier(const std::vector<Place>& at, const std::vector<kernels::Twist>& motion) const {
@@ -163,36 +157,41 @@ class Chain {
   [[nodiscard]] Vec3 speed(std::int32_t part, Vec3 at) const {
     return part < 0 ? Vec3{} : nth(motion_, part).v + cross(nth(motion_, part).w, at - nth(start_, part).centre);
   }
-  /// Three rows a hinge point: the relative velocity of its two sides. Rotations count times a length.
-  [[nodiscard]] Eigen::MatrixXd constraints(const std::vector<Place>& at) const {
-    Eigen::MatrixXd m = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(3 * hinges_.size()), static_cast<Eigen::Index>(6 * mass_.size()));
+  void find_lengths() {
+    length_.assign(mass_.size(), 0.0);
+    const auto take = [&](std::int32_t part, Vec3 arm) {
+      if (part >= 0) nth(length_, part) = std::max(nth(length_, part), norm(arm));
+    };
+    for (const HingePoint& h : hinges_) take(h.a, h.on_a), take(h.b, h.on_b);
+    for (double& l : length_) l = l > 0.0 ? l : 1.0;
+  }
+  /// Three rows a hinge point: the relative velocity of its two sides. Rotations count times the length of the part.
+  [[nodiscard]] Eigen::SparseMatrix<double> constraints(const std::vector<Place>& at) const {
+    std::vector<Eigen::Triplet<double>> m;
     const auto put = [&](Eigen::Index row, std::int32_t part, Vec3 arm, double sign) {
       if (part < 0) return;
       const Vec3 r = turned(nth(at, part), arm);
       const Eigen::Index k = 6 * static_cast<Eigen::Index>(part);
-      const double s = sign / length_;
-      for (Eigen::Index i = 0; i < 3; ++i) m(row + i, k + i) = sign;  // v + w × r
-      m(row, k + 4) = s * r.z, m(row, k + 5) = -s * r.y;
-      m(row + 1, k + 3) = -s * r.z, m(row + 1, k + 5) = s * r.x;
-      m(row + 2, k + 3) = s * r.y, m(row + 2, k + 4) = -s * r.x;
+      const double s = sign / nth(length_, part);
+      for (Eigen::Index i = 0; i < 3; ++i) m.emplace_back(row + i, k + i, sign);  // v + w × r
+      m.emplace_back(row, k + 4, s * r.z), m.emplace_back(row, k + 5, -s * r.y);
+      m.emplace_back(row + 1, k + 3, -s * r.z), m.emplace_back(row + 1, k + 5, s * r.x);
+      m.emplace_back(row + 2, k + 3, s * r.y), m.emplace_back(row + 2, k + 4, -s * r.x);
     };
     for (std::size_t i = 0; i < hinges_.size(); ++i) {
       put(static_cast<Eigen::Index>(3 * i), hinges_[i].a, hinges_[i].on_a, 1.0);
       put(static_cast<Eigen::Index>(3 * i), hinges_[i].b, hinges_[i].on_b, -1.0);
     }
-    return m;
-  }
-  [[nodiscard]] static Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposed(const Eigen::MatrixXd& a) {
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> d;
-    d.setThreshold(kRank);
-    d.compute(a);
-    return d;
+    Eigen::SparseMatrix<double> a(static_cast<Eigen::Index>(3 * hinges_.size()), static_cast<Eigen::Index>(6 * mass_.size()));
+    a.setFromTriplets(m.begin(), m.end());
+    return a;
   }
   [[nodiscard]] Eigen::VectorXd packed(const std::vector<kernels::Twist>& motion) const {
     Eigen::VectorXd v(static_cast<Eigen::Index>(6 * motion.size()));
     for (std::size_t k = 0; k < motion.size(); ++k) {
       const kernels::Twist& t = motion[k];
-      v.segment<6>(6 * static_cast<Eigen::Index>(k)) << t.v.x, t.v.y, t.v.z, length_ * t.w.x, length_ * t.w.y, length_ * t.w.z;
+      const Vec3 w = length_[k] * t.w;
+      v.segment<6>(6 * static_cast<Eigen::Index>(k)) << t.v.x, t.v.y, t.v.z, w.x, w.y, w.z;
     }
     return v;
   }
@@ -200,14 +199,13 @@ class Chain {
     std::vector<kernels::Twist> motion(mass_.size());
     for (std::size_t k = 0; k < motion.size(); ++k) {
       const auto s = v.segment<6>(6 * static_cast<Eigen::Index>(k));
-      motion[k] = {{s[0], s[1], s[2]}, Vec3{s[3], s[4], s[5]} / length_};
+      motion[k] = {{s[0], s[1], s[2]}, Vec3{s[3], s[4], s[5]} / length_[k]};
     }
     return motion;
   }
 
   Vec3 live_, gravity_;  // unit; m/s2
-  double length_ = 1.0;  // m
-  std::vector<double> mass_;
+  std::vector<double> mass_, length_;  // kg; m, of a part's hinges from its centre
   std::vector<Place> start_;
   std::vector<kernels::Twist> motion_;  // at first
   std::vector<HingePoint> hinges_;
@@ -313,11 +311,6 @@ KinematicCurve kinematic_curve(const cases::Case& c, const cases::Model& model, 
   if (links > 0) {
     out.points.push_back({0.0, state.multiplier});
     out.none = std::to_string(links) + " ties bear without yielding: what they hold is not followed";
-    return out;
-  }
-  if (parts.size() > kMostParts) {
-    out.points.push_back({0.0, state.multiplier});
-    out.none = std::to_string(out.parts) + " parts move; up to " + std::to_string(kMostParts) + " are followed";
     return out;
   }
   const Chain chain(c, model, contacts, mechanism, live);

@@ -118,6 +118,20 @@ TEST_CASE("kinematic: two pillars that carry a lintel lean as one linkage" * doc
   CHECK(k.at(0.15) == about(std::tan(std::asin((0.4 - 0.15) / radius))).epsilon(1e-4));
 }
 
+TEST_CASE("kinematic: forty pillars below one beam lean as one linkage, as two do" * doctest::skip(kNone)) {
+  constexpr int kPillars = 40;
+  cases::Case c = stones();
+  for (int i = 0; i < kPillars; ++i) add(c, "pillar " + std::to_string(i), {1.0 * i, 0, 0}, {1.0 * i + 0.2, 0.3, 1.0});
+  add(c, "beam", {0, 0, 1.0}, {kPillars - 0.8, 0.3, 1.2});
+  const solver::KinematicCurve k = curve_of(c);
+  CHECK(k.parts == kPillars + 1);
+  CHECK(k.freedoms == 1);
+  CHECK(k.points.front().multiplier == about(0.2).epsilon(1e-6));
+  CHECK(k.zero == about(0.2).epsilon(1e-4));
+  const double radius = std::hypot(0.2, 1.0);
+  CHECK(k.at(0.08) == about(std::tan(std::asin((0.2 - 0.08) / radius))).epsilon(1e-4));
+}
+
 TEST_CASE("kinematic: what slides has no displacement at which it bears nothing, and that is said" * doctest::skip(kNone)) {
   cases::Case c = stones(10.0);
   add(c, "slab", {0, 0, 0}, {1.0, 1.0, 0.2});
