@@ -44,6 +44,7 @@ class Tie:
     pretension: float = 0.0
     compression: bool = False
     plate: tuple = None
+    yields: float = None  # Pa
 
 
 @dataclasses.dataclass
@@ -199,7 +200,7 @@ def write(case, folder):
         lines += table("[[load]]", {"block": load.block, "force": load.force, "moment": load.moment, "at": load.at, "follows": load.follows or None})
     for tie in case.ties:
         lines += table("[[tie]]", {"name": tie.name, "from": tie.start, "to": tie.end, "area": tie.area, "young": tie.young,
-                                   "pretension": tie.pretension, "compression": tie.compression or None, "plate": tie.plate})
+                                   "pretension": tie.pretension, "compression": tie.compression or None, "yield": tie.yields, "plate": tie.plate})
     path = folder / "case.toml"
     path.write_text("\n".join(lines))
     return path

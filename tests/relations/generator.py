@@ -84,13 +84,17 @@ def load_some(rng, case, weight):
         case.loads.append(load)
 
 
-def tie_some(rng, case):
+def tie_some(rng, case, weight):
     free = [b for b in case.blocks if not b.fixed]
     if len(free) < 3 or rng.random() < 0.6:
         return
     one, other = rng.sample(free, 2)
-    case.ties.append(Tie("rod", one.middle(), other.middle(), 1e-4, 2e11, pretension=rng.choice([0.0, 200.0]), compression=rng.random() < 0.3))
-    case.kind += ", tied"
+    tie = Tie("rod", one.middle(), other.middle(), 1e-4, 2e11, pretension=rng.choice([0.0, 200.0]), compression=rng.random() < 0.3)
+    strength = random.Random(one.name + other.name).uniform(-0.5, 0.5) * weight  # of half of the rods; drawn aside, so that no other number changes
+    if strength > tie.pretension:
+        tie.yields = strength / tie.area
+    case.ties.append(tie)
+    case.kind += ", tied" if tie.yields is None else ", tied by a rod that yields"
 
 
 def on_part(rng, case):
@@ -219,7 +223,7 @@ def drawn(rng):
         joints(rng, case)
         volume = sum(float(numpy.prod(numpy.ptp(b.vertices, axis=0))) for b in case.blocks)
         load_some(rng, case, volume * 2000.0 * 9.8)
-        tie_some(rng, case)
+        tie_some(rng, case, volume * 2000.0 * 9.8)
         on_part(rng, case)
         follow(case)
         if rng.random() < 0.25:

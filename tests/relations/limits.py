@@ -12,7 +12,7 @@ REST = 1e-3  # what the tolerance of states of rest leaves open
 ONE = 0.5  # counts: the same
 # Of numbers by the beginning of their names; the first that fits.
 TABLE = {"check": (("", STATIC),),
-         "limit": (("points", ONE), ("multiplier", PROGRAMME), ("", STATIC)),
+         "limit": (("points", ONE), ("multiplier", PROGRAMME), ("kinematic: weight", STATIC), ("kinematic", 1e-6), ("", STATIC)),
          "modes": (("frequency", MODES), ("mass", 2e-4)),
          "run": (("frames", SINGLE), ("element", STATIC), ("joint", STATIC), ("motion", STATIC), ("summary: peak_drift", 1e-4), ("", DYNAMIC)),
          "view": (("place", SINGLE), ("", ONE)),

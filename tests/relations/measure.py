@@ -60,13 +60,27 @@ def check(voussoir, case, path, more):
 
 def limit(voussoir, case, path, more):
     direction = ",".join(repr(float(x)) for x in case.live)
-    done = call(voussoir, ["limit", path, "--format", "json", "--quiet", "--associated", "--direction=" + direction, "-j", more.get("threads", 1)])
+    done = call(voussoir, ["limit", path, "--format", "json", "--quiet", "--associated", "--kinematic", "--direction=" + direction, "-j", more.get("threads", 1)])
     for answer in ("does not stand under its dead loads alone", "no collapse multiplier in this direction", "beyond what is looked for"):
         if answer in done.stderr:
             return {"verdict: " + answer: Value(numpy.array(1), COUNT)}
     said = json_of(done)
     return {"multiplier": Value(numpy.array(said["associated"]["multiplier"]), SCALAR, ONE, floor=1e-3),
-            "weight": Value(numpy.array(said["weight"]), SCALAR, FORCE), "points": Value(numpy.array(said["points"]), COUNT)}
+            "weight": Value(numpy.array(said["weight"]), SCALAR, FORCE), "points": Value(numpy.array(said["points"]), COUNT)} | kinematics(case, said["associated"]["kinematic"])
+
+
+KINEMATIC = {"weight": FORCE, "participation": ONE, "displacement_factor": ONE, "activation": ACCELERATION, "zero": LENGTH}
+
+
+def kinematics(case, k):
+    """Of a mechanism that goes on in one way alone."""
+    if k["freedoms"] != 1 or k["sliding_seams"] or k["not_found"]:
+        return {}
+    out = {"kinematic: " + name: Value(numpy.array(k[name]), SCALAR, d) for name, d in KINEMATIC.items() if k[name] is not None}
+    shares = numpy.linspace(0.0, 1.0, 11)
+    curve = numpy.interp(shares * k["zero_control"], k["curve"]["displacement"], k["curve"]["multiplier"])
+    out["kinematic: control"] = Value(numpy.array(k["control"]) - case.pivot, VECTOR, LENGTH)
+    return out | {"kinematic: curve": Value(curve, SCALAR, ONE, floor=1e-3)}
 
 
 MODE = re.compile(r"^ +(\d+) +([\d.]+) +([\d.]+) +([\d.]+) +([\d.]+)$", re.MULTILINE)

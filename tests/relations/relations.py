@@ -264,6 +264,7 @@ def scaled(rng, case):
         load.moment = None if load.moment is None else factor**4 * load.moment
     for tie in out.ties:  # E A as a force
         tie.area, tie.young, tie.pretension = tie.area * factor**2, tie.young * factor, tie.pretension * factor**3
+        tie.yields = None if tie.yields is None else tie.yields * factor
     for m in out.materials.values():
         m["young"] *= factor
     powers = {"tension": 1, "cohesion": 1, "compression": 1, "young": 1, "thickness": 1, "fracture_energy_tension": 2, "fracture_energy_shear": 2}
