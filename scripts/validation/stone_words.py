@@ -4,6 +4,7 @@
 import datetime
 import math
 import os
+import textwrap
 
 import numpy as np
 
@@ -197,7 +198,8 @@ def lost_rows(lost):
 
 
 def page(done, lost, left_out):
-    lines = [INTRO, f"(`scripts/validation/stone_walls`, {datetime.date.today()}, {tables.version()}, one thread; {machine()})", "", "## Together", ""]
+    origin = f"(`scripts/validation/stone_walls`, {datetime.date.today()}, {tables.version()}, one thread; {machine()})"
+    lines = [INTRO, *textwrap.wrap(origin, 100), "", "## Together", ""]
     variants = {v: [c for c in done if c.variant == v] for v in VARIANTS}
     common = set.intersection(*({c.stone.wall.name for c in of} for of in variants.values()))
     figures = [summary([c for c in of if c.stone.wall.name in common]) for of in variants.values()]
