@@ -20,16 +20,15 @@ namespace voussoir::solver {
 
 namespace {
 
-/// A side before it has a place in a block.
+/// A side before it has a place in a block. A model has millions of them, so that each is small.
 struct NewSide {
   std::int32_t joint = 0;
   std::int32_t master = 0, slave = 0, master_face = 0, slave_face = 0;  // slave may be the base row
-  geometry::Frame frame;                                                // normal outward of the master
+  std::uint8_t faces = 1;                                               // 2: stands for both
   geometry::SegmentList segments;
   double factor = 1.0;
-  int faces = 1;  // 2: stands for both
-  // Found from the above.
-  kernels::Stiffness k = {};
+  // Found from the above and the frame.
+  double cn = 0.0, cs = 0.0;  // Pa s/m
   std::int32_t kind = -1, order = -1;
 };
 
@@ -54,27 +53,42 @@ std::vector<geometry::Segment> turned_round(geometry::SegmentList segments, geom
   return points;
 }
 
+/// Number of sides of a joint: one that stands for both faces or lies on ground, which has no points, or one of each face.
+int sides_of(const World& w, const geometry::Joint& j) {
+  const bool on_ground = j.element_b == geometry::kBase || w.is_ground(j.element_b);
+  return on_ground || (j.merged && w.options.merge_sides) ? 1 : 2;
+}
+
+std::size_t count_sides(const World& w) {
+  std::size_t sides = 0;
+  for (const geometry::Joint& j : w.model.assembly.joints) sides += static_cast<std::size_t>(sides_of(w, j));
+  return sides;
+}
+
+/// Calls `take(side, frame)` for every side, in the order of joints; the frame's normal is outward of the side's master.
 /// \param store  keeps points that the assembly does not have
-std::vector<NewSide> sides_of(const World& w, geometry::SegmentStore& store) {
+template <class Take>
+void for_each_side(const World& w, geometry::SegmentStore& store, const Take& take) {
   const geometry::Assembly& a = w.model.assembly;
   const auto face = [&](std::int32_t e, std::int32_t f) { return nth(a.elements, e).first_face + f; };
-  std::vector<NewSide> sides;
-  sides.reserve(a.joints.size());
   for (std::size_t i = 0; i < a.joints.size(); ++i) {
     const geometry::Joint& j = a.joints[i];
     const bool on_base = j.element_b == geometry::kBase;
-    const bool on_ground = on_base || w.is_ground(j.element_b);  // which has no points
-    const bool one = on_ground || (j.merged && w.options.merge_sides);
-    const NewSide& first = sides.emplace_back(NewSide{static_cast<std::int32_t>(i), j.element_a, on_base ? w.elements.base : j.element_b,
-                                                      face(j.element_a, j.face_a),
-                                                      on_base ? nth(w.elements.first_face, w.elements.base) : face(j.element_b, j.face_b),
-                                                      j.frame, j.side_a, one ? 1.0 : 0.5, one && !on_ground ? 2 : 1});
+    const bool one = sides_of(w, j) == 1, both = one && !on_base && !w.is_ground(j.element_b);
+    NewSide side;
+    side.joint = static_cast<std::int32_t>(i);
+    side.master = j.element_a, side.slave = on_base ? w.elements.base : j.element_b;
+    side.master_face = face(j.element_a, j.face_a);
+    side.slave_face = on_base ? nth(w.elements.first_face, w.elements.base) : face(j.element_b, j.face_b);
+    side.faces = both ? 2 : 1, side.factor = one ? 1.0 : 0.5;
+    side.segments = j.side_a;
+    take(side, j.frame);
     if (one) continue;
-    NewSide second{first.joint, first.slave, first.master, first.slave_face, first.master_face, j.frame, {}, 0.5, 1};
-    second.segments = store.keep(turned_round(j.merged ? j.side_a : j.side_b, second.frame));
-    sides.push_back(second);
+    std::swap(side.master, side.slave), std::swap(side.master_face, side.slave_face);
+    geometry::Frame frame = j.frame;
+    side.segments = store.keep(turned_round(j.merged ? j.side_a : j.side_b, frame));
+    take(side, frame);
   }
-  return sides;
 }
 
 /// k̄ of two faces with the joint's mortar or its own stiffness between them: Eqs. 2, 3, THEORY.md (4), (5), (5a). Against the base and its
@@ -168,23 +182,24 @@ void set_moments(kernels::SideConstants& c, const NewSide& side) {
 }
 
 /// Constants of a side, in lane 0.
-kernels::SideConstants constants_of(const World& w, const NewSide& side, const kernels::Strength& strength) {
+kernels::SideConstants constants_of(const World& w, const NewSide& side, const geometry::Frame& frame, const kernels::Stiffness& k,
+                                    const kernels::Strength& strength) {
   kernels::SideConstants c{};
   const auto put = [](double(&to)[3][kernels::kLanes], Vec3 v) { to[0][0] = v.x, to[1][0] = v.y, to[2][0] = v.z; };
   const auto centroid = [&](std::int32_t e) {
     const auto i = static_cast<std::size_t>(e);
     return w.elements.body[i].ref;
   };
-  put(c.ca, side.frame.centre - centroid(side.master));
-  put(c.cb, side.frame.centre - centroid(side.slave));
-  put(c.es, side.frame.axis_s);
-  put(c.et, side.frame.axis_t);
+  put(c.ca, frame.centre - centroid(side.master));
+  put(c.cb, frame.centre - centroid(side.slave));
+  put(c.es, frame.axis_s);
+  put(c.et, frame.axis_t);
   // A force at the master point along the master's normal, as Eq. 11 reads, does work that no potential covers once the faces have slid and
   // turned (by force × slide × relative rotation). At the midpoint along the mean normal the pair is conservative; a literal pair is for
   // comparison. So is a force at the master point along the normal of the base, THEORY.md (10a).
   *c.mean = w.options.merge_sides && side.slave != w.elements.base ? 0.5 : 0.0;
   set_moments(c, side);
-  *c.kn = side.k.kn, *c.ks = side.k.ks;
+  *c.kn = k.kn, *c.ks = k.ks;
   *c.tension = strength.tension, *c.cohesion = strength.cohesion, *c.tan_phi = strength.tan_phi;
   *c.compression = strength.compression, *c.cap = strength.cap, *c.friction = strength.friction;
   return c;
@@ -199,30 +214,37 @@ kernels::SideConstants nothing() {
 }
 
 /// Sides of one form go through the kernel of whole sides together: those that look along one axis, those that do not, those on the base.
-std::int32_t form_of(const World& w, const NewSide& s) {
+std::int32_t form_of(const World& w, const NewSide& s, const geometry::Frame& frame) {
   if (s.slave == w.elements.base) return 4;
-  const int axis = kernels::axis_of_side(s.frame.axis_s, s.frame.axis_t);
+  const int axis = kernels::axis_of_side(frame.axis_s, frame.axis_t);
   return axis < 0 ? 3 : axis;
 }
 
-/// Stiffness and kind of every side. Sides run form by form, in the order of what they would be without scatter of their strength, since
-/// `decompose` can set those of one kind that share no element beside each other.
-SideKinds sort_by_kind(const World& w, const cases::Case& c, std::vector<NewSide>& sides) {
-  SideKinds kinds, without_scatter;
+/// All sides, with their kind and their place in the order of number_sides: form by form, and within a form by what they would be without
+/// scatter of their strength, since `decompose` can set those of one kind that share no element beside each other.
+std::vector<NewSide> new_sides(const World& w, const cases::Case& c, geometry::SegmentStore& store, SideKinds& kinds) {
+  std::vector<NewSide> sides;
+  sides.reserve(count_sides(w));
+  SideKinds without_scatter;
+  std::vector<std::uint8_t> form;
+  form.reserve(sides.capacity());
   kinds.add(nothing());
-  for (NewSide& side : sides) {
+  for_each_side(w, store, [&](NewSide& side, const geometry::Frame& frame) {
     const auto joint = static_cast<std::size_t>(side.joint), law_index = static_cast<std::size_t>(w.model.joint_law[joint]);
     const cases::JointLaw& law = w.model.laws[law_index].value;
     const auto material = [&](std::int32_t face) { return nth(w.faces, face).material; };
     double friction = w.contact.friction.of(material(side.master_face), material(side.slave_face));
     if (law.residual_friction) friction = std::tan(*law.residual_friction * std::numbers::pi / 180.0);
     const auto strength = [&](double scatter) { return strength_of(law, scatter, is_dry(w, side.joint), friction); };
-    side.k = joint_stiffness(w, side, law, c.contact.damping);
-    side.kind = kinds.add(constants_of(w, side, strength(w.model.joint_strength[joint])));
-    side.order = without_scatter.add(constants_of(w, side, strength(1.0)));
-  }
-  for (NewSide& side : sides) side.order += form_of(w, side) * without_scatter.size();
-  return kinds;
+    const kernels::Stiffness k = joint_stiffness(w, side, law, c.contact.damping);
+    side.cn = k.cn, side.cs = k.cs;
+    side.kind = kinds.add(constants_of(w, side, frame, k, strength(w.model.joint_strength[joint])));
+    side.order = without_scatter.add(constants_of(w, side, frame, k, strength(1.0)));
+    form.push_back(static_cast<std::uint8_t>(form_of(w, side, frame)));
+    sides.push_back(side);
+  });
+  for (std::size_t i = 0; i < sides.size(); ++i) sides[i].order += form[i] * without_scatter.size();
+  return sides;
 }
 
 /// Bookkeeping and the initial state of one side.
@@ -237,7 +259,7 @@ void set_state(World& w, const NewSide& side, std::size_t id, std::int32_t set) 
   s.retired[id] = 0;
   s.side_state[id] = dry ? kernels::SideState::segments : kernels::SideState::whole;
   s.parts[id] = {
-      .id = static_cast<std::int32_t>(id), .factor = side.factor, .cn = side.k.cn, .cs = side.k.cs, .points = {}, .segments = {}};
+      .id = static_cast<std::int32_t>(id), .factor = side.factor, .cn = side.cn, .cs = side.cs, .points = {}, .segments = {}};
   const auto n = static_cast<std::int32_t>(side.segments.size());
   s.held[id] = dry ? 0 : n;
   s.bond.resize(s.bond.size() + static_cast<std::size_t>(n), dry ? kernels::Bond::contact : kernels::Bond::bonded);
@@ -330,8 +352,8 @@ void fill_blocks(World& w, const std::vector<NewSide>& sides, const std::vector<
 
 void set_up_sides(World& w, const cases::Case& c) {
   geometry::SegmentStore turned;
-  std::vector<NewSide> sides = sides_of(w, turned);
-  const SideKinds kinds = sort_by_kind(w, c, sides);
+  SideKinds kinds;
+  const std::vector<NewSide> sides = new_sides(w, c, turned, kinds);
   const std::vector<std::int32_t> numbered = number_sides(w, sides);
   size_side_arrays(w.sides, numbered.size() / kernels::kLanes, points_by_colour(w.sides, sides, numbered), w.team);
   fill_blocks(w, sides, numbered, kinds);
