@@ -74,16 +74,29 @@ void add_house(const Case& c, Model& model) {
   }
 }
 
-void add_walls(const Case& c, Model& model) {
+/// The plan of walls and what spans between them; adds their materials under loads. \throw InputErrors with all that is at fault
+WallsPlan planned_walls(const Case& c, Model& model) {
   if (c.walls.empty()) {
     if (!c.floors.empty()) throw InputError("floor[0].walls", "name sides of [[wall]], of which the case has none");
     if (!c.roofs.empty()) throw InputError("roof[0].walls", "name sides of [[wall]], of which the case has none");
-    return;
+    return {};
   }
+  Faults faults;
+  WallsPlan plan;
+  faults.attempt([&] { check_wall_materials(c.walls, c.floors, c.roofs, model.materials); });
+  faults.attempt([&] { plan = plan_walls(c.walls, c.floors, c.roofs); });
   const bool on_fixed_block = std::any_of(c.blocks.begin(), c.blocks.end(), [](const BlockSpec& b) { return b.fixed; });
   if (!c.base && !on_fixed_block && c.stones.empty())
-    throw InputError("base", "a wall needs ground to stand on; add [base] with z = 0.0, or a fixed [[block]]");
-  std::vector<Block> blocks = blocks_of_walls(c.walls, c.floors, c.roofs, model.materials);
+    faults.add({"base", "a wall needs ground to stand on; add [base] with z = 0.0, or a fixed [[block]]"});
+  faults.raise();
+  for (NamedMaterial& loaded : loaded_wall_materials(c.walls, c.floors, c.roofs, plan, model.materials))
+    model.materials.push_back(std::move(loaded));
+  return plan;
+}
+
+void add_walls(const Case& c, const WallsPlan& plan, Model& model) {
+  if (c.walls.empty()) return;
+  std::vector<Block> blocks = blocks_of_walls(c.walls, c.floors, c.roofs, plan, model.materials);
   number_along_plan(blocks, kCellLengths * c.walls[0].brick[0]);
   for (Block& block : blocks) {
     for (Vec3& v : block.shape.vertices) v.z += c.base ? c.base->z : 0.0;
@@ -200,9 +213,16 @@ void size_segments(const Case& c, Model& model) {
   }
 }
 
-/// The model with materials, laws and blocks, not yet assembled; tells the faults of all of them, and of the names of laws, at once.
-Model model_of_blocks(const Case& c) {
+/// A model that is not yet assembled, with what ties between walls are placed by.
+struct LaidModel {
   Model model;
+  WallsPlan walls;
+};
+
+/// The model with materials, laws and blocks; tells the faults of all of them, and of the names of laws, at once.
+LaidModel model_of_blocks(const Case& c) {
+  LaidModel laid;
+  Model& model = laid.model;
   Faults faults;
   model.origin = c.origin.value_or(Vec3{});
   name_materials_and_laws(c, model, faults);
@@ -212,14 +232,12 @@ Model model_of_blocks(const Case& c) {
     if (!c.house) return;
     for (NamedMaterial& loaded : loaded_materials(*c.house, model.materials)) model.materials.push_back(std::move(loaded));
   });
-  faults.attempt([&] {
-    for (NamedMaterial& loaded : loaded_wall_materials(c.walls, c.floors, c.roofs, model.materials)) model.materials.push_back(std::move(loaded));
-  });
+  const bool planned = faults.attempt([&] { laid.walls = planned_walls(c, model); });
   if (c.base && !c.base->parts.empty()) add_ground_material(model);
   faults.attempt([&] { model.contact_friction = contact_friction(c.contact, model.materials); });
   faults.attempt([&] { check_loads(c); });
   if (c.house) faults.attempt([&] { add_house(c, model); });
-  faults.attempt([&] { add_walls(c, model); });
+  if (planned) faults.attempt([&] { add_walls(c, laid.walls, model); });
   faults.attempt([&] { add_free_blocks(c, model); });
   faults.attempt([&] { add_stone_blocks(c, model); });
   if (!faults.any()) add_ground(c, model);
@@ -234,14 +252,14 @@ Model model_of_blocks(const Case& c) {
     if (c.loads[i].path) model.support_motions.push_back({{}, {}, false, *c.loads[i].path, "load[" + std::to_string(i) + "].path"});
   }
   check_segments(c, model);
-  return model;
+  return laid;
 }
 
 }  // namespace
 
 Model build_loose_model(const Case& c) {
   if (const std::optional<Case> grounded = with_ground(c)) return build_loose_model(*grounded);
-  Model model = model_of_blocks(c);
+  Model model = model_of_blocks(c).model;
   for (std::size_t i = 0; i < model.blocks.size(); ++i) {
     const Block& block = model.blocks[i];
     const geometry::Part alone{&block.shape, block.segment_size, true};
@@ -259,13 +277,14 @@ Model build_loose_model(const Case& c) {
 
 Model build_model(const Case& c, int threads) {
   if (const std::optional<Case> grounded = with_ground(c)) return build_model(*grounded, threads);
-  Model model = model_of_blocks(c);
+  LaidModel laid = model_of_blocks(c);
+  Model& model = laid.model;
   const JointRules rules(c, model);
   assemble(c, threads, model);
   pick_laws(rules, StoneLaws(c, model, rules.default_law()), model);
   model.joint_strength = strength_factors(c.scatter, model);
-  place_ties(c, model);
-  return model;
+  place_ties(c, laid.walls, model);
+  return std::move(laid.model);
 }
 
 std::int32_t nearest_element(const Model& model, Vec3 point) noexcept {

@@ -362,23 +362,21 @@ void add_decks_between_walls(const Case& c, const WallsPlan& plan, double foot, 
 
 }  // namespace
 
-void place_ties(const Case& c, Model& model) {
+void place_ties(const Case& c, const WallsPlan& walls, Model& model) {
   const double foot = c.base ? c.base->z : 0.0;
-  const bool spans = !c.floors.empty() || !c.roofs.empty();
-  const WallsPlan plan = spans ? plan_walls(c.walls, c.floors, c.roofs) : WallsPlan{};
   add_ties(c, model);
   if (c.house) {
     add_house_ties(c, foot, model);
     add_beam_anchors(c, beam_anchors(*c.house, foot), "house.floor", floor_names(*c.house), model);
     add_roof_ties(c, foot, model);
   }
-  add_beam_anchors(c, wall_beam_anchors(c.walls, plan, c.floors, foot), "floor", names_of(c.floors), model);
-  add_roof_ties_between_walls(c, plan, foot, model);
+  add_beam_anchors(c, wall_beam_anchors(c.walls, walls, c.floors, foot), "floor", names_of(c.floors), model);
+  add_roof_ties_between_walls(c, walls, foot, model);
   if (c.house) {
     for (std::size_t i = 0; i < c.house->meshes.size(); ++i) add_mesh(c, i, foot, model);
     add_decks(c, foot, model);
   }
-  add_decks_between_walls(c, plan, foot, model);
+  add_decks_between_walls(c, walls, foot, model);
   check_names(c, model);
 }
 

@@ -12,6 +12,8 @@
 /// Ends of ties: from points and plates of the case file to elements.
 namespace voussoir::cases {
 
+struct WallsPlan;
+
 /// Sets model.ties to the ties of `c.ties`, of the house, of its floors' anchors, of its roof, of its meshes, and of its decks, in this
 /// order, and sets model.tie_bill.
 ///
@@ -22,8 +24,9 @@ namespace voussoir::cases {
 /// plate's width is horizontal (along x if the plate is level), its height perpendicular. A node of a mesh holds the element whose face it
 /// lies on; straps between nodes of one element have no effect and are left out, as are straps to nodes in openings.
 ///
-/// \pre the model is assembled \throw InputError with the key at fault
-void place_ties(const Case& c, Model& model);
+/// \param walls  the plan of c.walls, c.floors and c.roofs; not used if there are none \pre the model is assembled \throw InputError with
+/// the key at fault
+void place_ties(const Case& c, const WallsPlan& walls, Model& model);
 
 /// Number of separate ties, which come first in model.ties; the remaining ties belong to meshes.
 std::size_t own_ties(const Model& model) noexcept;

@@ -28,6 +28,7 @@ struct WallMaterials {
   std::vector<std::int32_t> lintels, arches;  // by opening; of those without one that of the wall
 };
 
+/// \param faults  keeps names that are not known
 WallMaterials materials_of(const WallSpec& wall, std::size_t index, std::span<const NamedMaterial> materials, Faults& faults) {
   WallMaterials found;
   faults.attempt([&] { found.bricks = find_material(materials, wall.material, wall_key(index, "material")); });
@@ -98,13 +99,21 @@ void add_arches(const WallSpec& wall, const HousePlan& bricks, const Leg& leg, c
 
 }  // namespace
 
+void check_wall_materials(const std::vector<WallSpec>& walls, const std::vector<WallFloor>& floors, const std::vector<WallRoof>& roofs,
+                          std::span<const NamedMaterial> materials) {
+  Faults faults;
+  for (std::size_t i = 0; i < walls.size(); ++i) materials_of(walls[i], i, materials, faults);
+  faults.attempt([&] { loaded_floor_materials(floors, materials); });
+  for (std::size_t i = 0; i < roofs.size(); ++i)
+    faults.attempt([&] { find_material(materials, roofs[i].material, indexed_key("roof", i, "material")); });
+  faults.raise();
+}
+
 std::vector<Block> blocks_of_walls(const std::vector<WallSpec>& walls, const std::vector<WallFloor>& floors,
-                                   const std::vector<WallRoof>& roofs, std::span<const NamedMaterial> materials) {
+                                   const std::vector<WallRoof>& roofs, const WallsPlan& plan, std::span<const NamedMaterial> materials) {
   Faults faults;
   std::vector<WallMaterials> of_wall;
   for (std::size_t i = 0; i < walls.size(); ++i) of_wall.push_back(materials_of(walls[i], i, materials, faults));
-  WallsPlan plan;
-  faults.attempt([&] { plan = plan_walls(walls, floors, roofs); });
   faults.raise();
   for (std::size_t i = 0; i < walls.size(); ++i) {
     of_wall[i].top = walls[i].load > 0.0 ? find_material(materials, loaded_name(walls[i]), wall_key(i, "load")) : of_wall[i].bricks;
@@ -125,15 +134,9 @@ std::vector<Block> blocks_of_walls(const std::vector<WallSpec>& walls, const std
 }
 
 std::vector<NamedMaterial> loaded_wall_materials(const std::vector<WallSpec>& walls, const std::vector<WallFloor>& floors,
-                                                 const std::vector<WallRoof>& roofs, std::span<const NamedMaterial> materials) {
+                                                 const std::vector<WallRoof>& roofs, const WallsPlan& plan,
+                                                 std::span<const NamedMaterial> materials) {
   std::vector<NamedMaterial> all = loaded_floor_materials(floors, materials);
-  Faults faults;
-  for (std::size_t i = 0; i < roofs.size(); ++i)
-    faults.attempt([&] { find_material(materials, roofs[i].material, indexed_key("roof", i, "material")); });
-  faults.raise();
-  const bool any_loaded = std::ranges::any_of(walls, [](const WallSpec& w) { return w.load > 0.0; });
-  if (!any_loaded && std::ranges::none_of(roofs, [](const WallRoof& r) { return r.rafters.surcharge != 0.0; })) return all;
-  const WallsPlan plan = plan_walls(walls, floors, roofs);
   for (NamedMaterial& m : loaded_roof_materials(walls, plan, roofs, materials)) all.push_back(std::move(m));
   for (std::size_t i = 0; i < walls.size(); ++i) {
     if (walls[i].load == 0.0) continue;

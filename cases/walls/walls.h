@@ -9,20 +9,27 @@
 #include "cases/input_error.h"
 #include "cases/model.h"
 #include "cases/walls/wall_case.h"
+#include "cases/walls/wall_plan.h"
 
 namespace voussoir::cases {
 
+/// Checks the names of all materials, and the loads of floors. \throw InputError, or InputErrors with all that is at fault
+void check_wall_materials(const std::vector<WallSpec>& walls, const std::vector<WallFloor>& floors, const std::vector<WallRoof>& roofs,
+                          std::span<const NamedMaterial> materials);
+
 /// Turns [[wall]] into blocks: bricks in bond with toothed corners, lintels, arches; behind them the beams of [[floor]] and the rafters of
 /// [[roof]]. The base is z = 0. Blocks come wall by wall, course by course, the lintels and arches of each side behind its bricks.
-/// Block::wall counts the walls, Block::span floors and roofs. \param materials  Model::materials with those of loaded_wall_materials()
-/// \throw InputError, or InputErrors with all that is at fault
+/// Block::wall counts the walls, Block::span floors and roofs. \param plan  of plan_walls() \param materials  Model::materials with those
+/// of loaded_wall_materials() \pre check_wall_materials() finds no fault \throw InputError
 std::vector<Block> blocks_of_walls(const std::vector<WallSpec>& walls, const std::vector<WallFloor>& floors,
-                                   const std::vector<WallRoof>& roofs, std::span<const NamedMaterial> materials);
+                                   const std::vector<WallRoof>& roofs, const WallsPlan& plan, std::span<const NamedMaterial> materials);
 
 /// Materials of the top courses of walls with a load: that of the wall, with the mass of the load added to its density; likewise of the
-/// beams of floors with a load, and of rafters under a surcharge. \throw InputError for a material that is not known
+/// beams of floors with a load, and of rafters under a surcharge. \param plan  of plan_walls() \pre check_wall_materials() finds no fault
+/// \throw InputError
 std::vector<NamedMaterial> loaded_wall_materials(const std::vector<WallSpec>& walls, const std::vector<WallFloor>& floors,
-                                                 const std::vector<WallRoof>& roofs, std::span<const NamedMaterial> materials);
+                                                 const std::vector<WallRoof>& roofs, const WallsPlan& plan,
+                                                 std::span<const NamedMaterial> materials);
 
 /// A wall whose bricks are adapted to its dimensions. \pre blocks_of_walls() finds no fault
 struct AdaptedBricks {
