@@ -12,6 +12,7 @@
 #include "geometry/assembly.h"
 #include "geometry/nth.h"
 #include "geometry/prism.h"
+#include "geometry/solids/fit/fit_cells.h"
 #include "geometry/solids/fit/half_spaces.h"
 #include "tests/geometry/random_masonry.h"
 
@@ -31,7 +32,8 @@ std::vector<FitStone> convex(const std::vector<Mesh>& stones, double& moved) {
     if (is_convex(m, 1e-9 * diagonal(m))) {
       out.push_back({{in_prism_order({m.vertices, m.faces})}, kLimit, 1e-3});
     } else {
-      const auto shape = nearly_convex(m, kLimit, by);
+      FitWork work(m.faces.size());
+      const auto shape = nearly_convex(m, kLimit, by, work, 0);
       REQUIRE(shape.has_value());
       out.push_back({{*shape}, kLimit, 1e-3});
     }
@@ -213,4 +215,22 @@ TEST_CASE("the base cuts stones that reach under it, and those that stand over i
   const std::vector<FitStone> stones{{{make_box({0, 0, -0.01}, {0.3, 0.3, 0.3})}, 0.03, 1e-3},
                                      {{make_box({1, 0, 0.02}, {1.3, 0.3, 0.3})}, 0.03, 1e-3}};
   for (const FittedStone& s : fit_planes(stones, 0.0)) CHECK(s.now == doctest::Approx(0.3 * 0.3 * 0.3));
+}
+
+TEST_CASE("the work of a fit is bounded by the faces of the file, and the stone at fault is told") {
+  FitWork work(100);
+  CHECK_NOTHROW(work.add(1.1e9, 0));
+  try {
+    work.add(2e8, 7);
+    FAIL("no bound");
+  } catch (const ModelError& e) {
+    CHECK(e.subject() == 7);
+  }
+  // A slab under so many stones, each on a plane of its own, that the pairs of their planes alone would take minutes.
+  std::vector<FaceShare> shares;
+  for (int i = 0; i < 40000; ++i)
+    shares.push_back({0, {{0, 0, 1}, 1e-4 * i}, {{0.0, 0.0, 1e-4 * i}, {1.0, 0.0, 1e-4 * i}, {0.0, 1.0, 1e-4 * i}}});
+  const std::vector<HalfSpace> own{{{0, 0, 1}, 0.0}};
+  FitWork few(6);
+  CHECK_THROWS_WITH_AS(fitted_cells(own, shares, few, 3), doctest::Contains("cannot be fitted within reasonable time"), ModelError);
 }

@@ -16,6 +16,7 @@ constexpr double kAbove = 5e-7;      // m: so much above a plane is lost to nobo
 constexpr double kKept = 0.9;           // of the area of a share: if less is kept, the body is cut
 constexpr double kWorthACut = 0.02;     // of the areas of all shares of a face: smaller shares are not worth a cut
 constexpr std::size_t kMostCells = 16;  // of one body
+constexpr double kOfAPair = 40.0;       // ns, of comparing two shares
 
 double area_of(std::span<const Vec3> polygon) {
   Vec3 doubled;
@@ -65,7 +66,7 @@ HalfSpace separator(const FaceShare& a, const FaceShare& b, Vec3 normal) {
 
 class Cells {
  public:
-  explicit Cells(std::span<const HalfSpace> own) : own_(own) {}
+  Cells(std::span<const HalfSpace> own, FitWork& work, std::int32_t stone) : own_(own), work_(work), stone_(stone) {}
 
   void divide(std::vector<FaceShare> shares, std::vector<HalfSpace> cuts) {
     std::size_t first = 0, second = 0;
@@ -91,7 +92,8 @@ class Cells {
 
  private:
   /// The pair of shares of one face of which one loses most by the plane of the other.
-  static bool find_conflict(const std::vector<FaceShare>& shares, std::size_t& first, std::size_t& second) {
+  bool find_conflict(const std::vector<FaceShare>& shares, std::size_t& first, std::size_t& second) {
+    work_.add(kOfAPair * static_cast<double>(shares.size()) * static_cast<double>(shares.size()), stone_);
     double least = kKept;
     for (std::size_t i = 0; i < shares.size(); ++i) {
       double all = 0.0;
@@ -119,12 +121,15 @@ class Cells {
   }
 
   std::span<const HalfSpace> own_;
+  FitWork& work_;
+  std::int32_t stone_;
 };
 
 }  // namespace
 
-std::vector<std::vector<HalfSpace>> fitted_cells(std::span<const HalfSpace> own, std::span<const FaceShare> shares) {
-  Cells cells(own);
+std::vector<std::vector<HalfSpace>> fitted_cells(std::span<const HalfSpace> own, std::span<const FaceShare> shares, FitWork& work,
+                                                 std::int32_t stone) {
+  Cells cells(own, work, stone);
   cells.divide({shares.begin(), shares.end()}, {});
   return std::move(cells.cells);
 }

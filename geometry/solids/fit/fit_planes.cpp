@@ -19,7 +19,6 @@ namespace {
 
 constexpr double kTouching = 9e-7;        // m: overlaps that count as contact
 constexpr std::size_t kMostFaces = 4096;  // of a piece that is fitted
-constexpr double kMostWork = 1e10;        // of comparing bodies, about a nanosecond each
 
 Box3 grown(Box3 box, double by) {
   const Vec3 all{by, by, by};
@@ -28,7 +27,7 @@ Box3 grown(Box3 box, double by) {
 
 class Fit {
  public:
-  Fit(std::span<const FitStone> stones, std::optional<double> base_z) : stones_(stones), base_z_(base_z) {
+  Fit(std::span<const FitStone> stones, std::optional<double> base_z) : stones_(stones), base_z_(base_z), work_(faces_of(stones)) {
     for (std::size_t s = 0; s < stones.size(); ++s) {
       for (const Polyhedron& p : stones[s].pieces) {
         bodies_.push_back(body_of(p, static_cast<std::int32_t>(s)));
@@ -47,6 +46,14 @@ class Fit {
   }
 
  private:
+  static std::size_t faces_of(std::span<const FitStone> stones) {
+    std::size_t faces = 0;
+    for (const FitStone& s : stones) {
+      for (const Polyhedron& p : s.pieces) faces += p.faces.size();
+    }
+    return faces;
+  }
+
   FitBody body_of(const Polyhedron& p, std::int32_t stone) const {
     FitBody b;
     b.body = convex_body(p);
@@ -56,15 +63,11 @@ class Fit {
     return b;
   }
 
-  void count(double work) {
-    work_ += work;
-    if (work_ > kMostWork) throw ModelError("stones have so many faces near each other that they cannot be fitted", -1);
-  }
-
   /// How deep two bodies are in each other; 0 or less: they are apart.
-  Penetration overlap(const ConvexBody& a, const ConvexBody& b) {
+  /// \param stone  of a
+  Penetration overlap(const ConvexBody& a, const ConvexBody& b, std::int32_t stone) {
     const auto n = [](const auto& list) { return static_cast<double>(list.size()); };
-    count((n(a.faces) + n(b.faces) + n(a.directions) * n(b.directions)) * (n(a.vertices) + n(b.vertices)));
+    work_.add((n(a.faces) + n(b.faces) + n(a.directions) * n(b.directions)) * (n(a.vertices) + n(b.vertices)), stone);
     return penetration_of(a, b, 0.0);
   }
 
@@ -92,9 +95,9 @@ class Fit {
 
   void add_pair(std::int32_t a, std::int32_t b) {
     const FitBody &first = nth(bodies_, a), &second = nth(bodies_, b);
-    count(20.0 * static_cast<double>(first.faces.size() * second.faces.size()));
+    work_.add(20.0 * static_cast<double>(first.faces.size() * second.faces.size()), first.stone);
     const bool inner = first.stone == second.stone;
-    const double depth = !inner && meet(first.box, second.box) ? overlap(first.body, second.body).depth : 0.0;
+    const double depth = !inner && meet(first.box, second.box) ? overlap(first.body, second.body, first.stone).depth : 0.0;
     for (FitContact& c : contacts_of(bodies_, a, b, depth)) {
       if (!inner)
         contacts_.push_back(std::move(c));
@@ -114,7 +117,7 @@ class Fit {
     std::vector<FaceShare> asked;
     for (const Share& s : shares_[i]) asked.push_back(s.share);
     std::vector<Polyhedron> out;
-    for (const auto& planes : fitted_cells(bodies_[i].body.faces, asked)) {
+    for (const auto& planes : fitted_cells(bodies_[i].body.faces, asked, work_, bodies_[i].stone)) {
       Polyhedron p = common_part(planes, grown(bodies_[i].box, 3.0 * bodies_[i].limit + kTouching));
       if (!p.faces.empty()) out.push_back(std::move(p));
     }
@@ -166,8 +169,9 @@ class Fit {
       for (const std::int32_t k : near) {
         const Polyhedron& other = nth(pieces, k).shape;
         if (nth(pieces, k).solid != pieces[i].solid)
-          count(0.2 * edges * static_cast<double>(other.vertices.size() + other.faces.size()) *
-                (edges + static_cast<double>(other.vertices.size())));
+          work_.add(0.2 * edges * static_cast<double>(other.vertices.size() + other.faces.size()) *
+                        (edges + static_cast<double>(other.vertices.size())),
+                    pieces[i].solid);
       }
     }
   }
@@ -209,7 +213,7 @@ class Fit {
       grid.query(boxes[i], near);
       for (const std::int32_t n : near) {
         const auto k = static_cast<std::size_t>(n);
-        if (k > i && meet(boxes[i], boxes[k])) cut_midway(parts[i].shape, parts[k].shape, cuts[i], cuts[k]);
+        if (k > i && meet(boxes[i], boxes[k])) cut_midway(parts[i], parts[k], cuts[i], cuts[k]);
       }
     }
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -221,8 +225,9 @@ class Fit {
     for (auto& pieces : shapes_) std::erase_if(pieces, [](const Polyhedron& p) { return p.faces.empty(); });
   }
 
-  void cut_midway(const ConvexBody& a, const ConvexBody& b, std::vector<HalfSpace>& of_a, std::vector<HalfSpace>& of_b) {
-    const Penetration p = overlap(a, b);
+  void cut_midway(const Part& one, const Part& other, std::vector<HalfSpace>& of_a, std::vector<HalfSpace>& of_b) {
+    const ConvexBody &a = one.shape, &b = other.shape;
+    const Penetration p = overlap(a, b, bodies_[one.body].stone);
     if (p.depth <= kTouching) return;
     double high = -1e300, low = 1e300;
     for (const Vec3& v : a.vertices) high = std::max(high, dot(p.axis, v));
@@ -260,7 +265,7 @@ class Fit {
   std::vector<FitContact> contacts_, inner_;     // of different stones; of pieces of one stone
   std::vector<std::vector<Share>> shares_;       // by body
   std::vector<std::vector<Polyhedron>> shapes_;  // by body
-  double work_ = 0.0;
+  FitWork work_;
 };
 
 }  // namespace

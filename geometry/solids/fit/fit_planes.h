@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "geometry/solids/fit/fit_work.h"
 #include "geometry/solids/mesh.h"
 
 /// Fits stones that were drawn with gaps, overlaps and warped faces: one plane for each pair that touches.
@@ -33,13 +35,13 @@ struct FittedStone {
 /// the part of space under the planes of its pairs and of its other faces. Where planes of one face would cost a contact a tenth of its
 /// area, the stone is cut between them into pieces. What overlaps after that is cut midway, each stone by half; what lies under `base_z` is
 /// cut off. Stones whose contacts are exact to half a micrometre, and that overlap nothing, keep their bits. The outcome does not depend on
-/// the order of the stones but by round-off. \throw ModelError without a subject: so many faces are near each other that the work has no
-/// bounds
+/// the order of the stones but by round-off. \throw ModelError with a stone as subject: it has too many faces, or FitWork's bound is reached
 std::vector<FittedStone> fit_planes(std::span<const FitStone> stones, std::optional<double> base_z);
 
 /// A solid as a convex polyhedron: each face, or what is nearly in the plane of a larger face, is replaced by the plane that fits it.
 /// \param limit  m, greatest distance of the surface from the polyhedron
-/// \param moved  m, that distance; 0: the solid is convex already \return nothing if the solid is not convex within the limit
-std::optional<Polyhedron> nearly_convex(const Mesh& solid, double limit, double& moved);
+/// \param moved  m, that distance; 0: the solid is convex already \param stone  its number, for messages
+/// \return nothing if the solid is not convex within the limit \throw ModelError as FitWork
+std::optional<Polyhedron> nearly_convex(const Mesh& solid, double limit, double& moved, FitWork& work, std::int32_t stone);
 
 }  // namespace voussoir::geometry

@@ -83,7 +83,7 @@ void cut_folded(const Mesh& m, double snap, Prepared& p) {
   }
 }
 
-Prepared prepared(const Mesh& m, const cases::StonesSpec& spec) {
+Prepared prepared(const Mesh& m, const cases::StonesSpec& spec, geometry::FitWork& work, std::int32_t stone) {
   Prepared p;
   p.limit = spec.fit_limit.value_or(kShare * width_of(m));
   p.volume = geometry::volume(m);
@@ -94,7 +94,7 @@ Prepared prepared(const Mesh& m, const cases::StonesSpec& spec) {
       return p;
     }
   }
-  if (auto shape = geometry::nearly_convex(m, p.limit, p.moved)) {
+  if (auto shape = geometry::nearly_convex(m, p.limit, p.moved, work, stone)) {
     p.pieces.push_back(*std::move(shape));
     return p;
   }
@@ -136,13 +136,25 @@ std::string refusal(const Prepared& before, const FittedStone& after, double by,
          geometry::millimetres(before.limit) + "); set stones.fit_limit if so much is right";
 }
 
-std::vector<FittedStone> fitted(const cases::Case& c, const std::vector<FitStone>& stones, std::span<const StoneItem> items) {
+/// Does a part of the fit. \throw InputError that names the stone which takes too long, or has too many faces
+template <class Part>
+auto naming_stones(std::span<const StoneItem> items, const Part& part) {
   try {
-    return geometry::fit_planes(stones, c.base ? std::optional(c.base->z) : std::nullopt);
+    return part();
   } catch (const geometry::ModelError& e) {
-    const bool known = e.subject() >= 0 && static_cast<std::size_t>(e.subject()) < items.size();
-    throw cases::InputError("stones[0].fit", (known ? "stone \"" + items[static_cast<std::size_t>(e.subject())].raw.name + "\" " : "") + e.what());
+    if (e.subject() < 0 || static_cast<std::size_t>(e.subject()) >= items.size()) throw cases::InputError("stones[0].fit", e.what());
+    const StoneItem& item = items[static_cast<std::size_t>(e.subject())];
+    throw cases::InputError("stones[" + std::to_string(item.table) + "].fit", "stone \"" + item.raw.name + "\" " + e.what());
   }
+}
+
+std::vector<Prepared> prepared_all(const cases::Case& c, std::span<const StoneItem> items) {
+  std::size_t faces = 0;
+  for (const StoneItem& item : items) faces += item.raw.mesh.faces.size();
+  geometry::FitWork work(faces);
+  std::vector<Prepared> all;
+  for (const StoneItem& item : items) all.push_back(prepared(item.raw.mesh, c.stones[item.table], work, static_cast<std::int32_t>(all.size())));
+  return all;
 }
 
 }  // namespace
@@ -156,14 +168,11 @@ bool fits_planes(const cases::Case& c) {
 }
 
 std::vector<std::string> fit_stones(cases::Case& c, std::span<StoneItem> items) {
-  std::vector<Prepared> before;
+  const std::vector<Prepared> before = naming_stones(items, [&] { return prepared_all(c, items); });
   std::vector<FitStone> given;
-  for (const StoneItem& item : items) {
-    const cases::StonesSpec& spec = c.stones[item.table];
-    before.push_back(prepared(item.raw.mesh, spec));
-    given.push_back({before.back().pieces, before.back().limit, spec.snap});
-  }
-  std::vector<FittedStone> after = fitted(c, given, items);
+  for (std::size_t i = 0; i < items.size(); ++i) given.push_back({before[i].pieces, before[i].limit, c.stones[items[i].table].snap});
+  const std::optional<double> base = c.base ? std::optional(c.base->z) : std::nullopt;
+  std::vector<FittedStone> after = naming_stones(items, [&] { return geometry::fit_planes(given, base); });
   std::vector<Summary> summaries(c.stones.size());
   std::vector<std::string> faults;
   for (std::size_t i = 0; i < items.size(); ++i) {
