@@ -283,11 +283,25 @@ void find_rooms(Building& b, bool any_plan) {
   }
 }
 
-/// Finds the number of storeys under each element of a floor or a roof.
+/// The highest storey whose rooms end at or below the top of an element.
+int storeys_under(const Building& b, std::size_t e) {
+  int most = 0;
+  for (const Room& r : b.rooms) {
+    if (r.ceiling < b.box[e].high[2] + kSameLevel) most = std::max(most, r.storey);
+  }
+  return most;
+}
+
+/// Finds the number of storeys under each element of a floor or a roof. A floor of a house has it in its tag, "floor 2 beam 7"; one between
+/// walls of any plan has a name of the user's, so heights tell.
 void find_covers(const Elements& elements, Building& b) {
   for (std::size_t e = 0; e < b.kind.size(); ++e) {
     if (b.is_roof(e)) b.covers[e] = Building::kAll;
-    if (b.kind[e] == cases::PartKind::floor_beam) std::sscanf(elements.tag[e].c_str(), "floor %d", &b.covers[e]);
+    if (b.kind[e] != cases::PartKind::floor_beam) continue;
+    if (elements.house[e] < 0)
+      b.covers[e] = storeys_under(b, e);
+    else
+      std::sscanf(elements.tag[e].c_str(), "floor %d", &b.covers[e]);
   }
 }
 

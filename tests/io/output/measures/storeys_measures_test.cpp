@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <set>
 #include <string>
 
 #include "io/input/files/errors.h"
@@ -114,6 +115,30 @@ TEST_CASE("rooms are those between the walls of a storey, under its floor") {
   CHECK(b.rooms[2].floor == doctest::Approx(0.6));
   CHECK(!b.rooms[0].top);
   CHECK(b.rooms[2].top);
+}
+
+TEST_CASE("a floor between walls of any plan covers the storeys that end below it, whatever its name") {
+  const auto covers = [](const std::string& height) {
+    std::string text = kStoreys;
+    for (const char* place : {"0.0", "1.2"}) {
+      text += std::string("[[wall]]\nname = \"at ") + place + "\"\npoints = [[4.0, " + place + "], [6.0, " + place + "]]\nthickness = 0.2\n";
+      text += "height = " + height + "\nmaterial = \"adobe\"\n";
+    }
+    text += "[[floor]]\nname = \"floor 2\"\nwalls = [\"at 0.0\", \"at 1.2\"]\nmaterial = \"wood\"\nbeam = [0.1, 0.1]\nspacing = 0.5\n";
+    Hut hut(text);
+    hut.frame(0.0, stays);
+    const Building b = building(hut);
+    std::set<int> own, of_house;
+    for (std::size_t e = 0; e < b.kind.size(); ++e) {
+      if (b.kind[e] == cases::PartKind::floor_beam) (hut.tag(e).starts_with("floor 2") ? own : of_house).insert(b.covers[e]);
+    }
+    CHECK(of_house == std::set{1});
+    REQUIRE(own.size() == 1);
+    return *own.begin();
+  };
+  CHECK(covers("0.4") == 0);
+  CHECK(covers("0.6") == 1);
+  CHECK(covers("1.0") == 2);
 }
 
 TEST_CASE("free volume: a floor that falls takes that of the room below and leaves that above") {
