@@ -17,6 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;  // keeps the order of the file
 
 constexpr int kDeepest = 200;
+constexpr std::array<std::string_view, 2> kCopies{"convex_hull", "geometry_simplified"};  // of an element, beside its geometry
 
 const Json* member(const Json& of, const char* name) {
   if (!of.is_object()) return nullptr;
@@ -52,6 +53,7 @@ class CompasReader {
     for (const auto& [type, count] : left_out_)
       out_.doubts.push_back("left out: " + std::to_string(count) + " of " + shown(type) + ", which are no mesh, polyhedron or box");
     if (passed_over_ > 0) out_.notes.push_back("passed over: " + std::to_string(passed_over_) + " interfaces");
+    if (copies_ > 0) out_.notes.push_back("passed over: " + std::to_string(copies_) + " hulls or simplified copies of elements");
     if (out_.solids.empty()) throw FileError(path_, "holds no mesh, polyhedron or box of COMPAS (an object with dtype and data)");
     return std::move(out_);
   }
@@ -98,8 +100,24 @@ class CompasReader {
     if (is_other_solid(type) && out_.solids.size() == before) ++left_out_[type];
   }
 
+  /// The solids of an element's geometry, beside which files may hold the same solid as a hull and simplified. \return whether there are any
+  bool walk_geometry(const Json& j, const Around& around, int depth) {
+    const Json* geometry = member(j, "geometry");
+    const bool copied = std::ranges::any_of(kCopies, [&](std::string_view key) { return member(j, key.data()) != nullptr; });
+    if (geometry == nullptr || !copied) return false;
+    const std::size_t before = out_.solids.size();
+    walk(*geometry, around, depth + 1);
+    return out_.solids.size() > before;
+  }
+
   void walk_members(const Json& j, const Around& around, int depth) {
+    const bool done = walk_geometry(j, around, depth);
     for (const auto& [key, value] : j.items()) {
+      if (done && key == "geometry") continue;
+      if (done && std::ranges::find(kCopies, key) != kCopies.end()) {
+        if (value.is_structured() && !value.empty()) ++copies_;
+        continue;
+      }
       if (key == "interfaces" || key == "contacts") {
         passed_over_ += value.is_array() ? value.size() : 0;
         continue;
@@ -254,7 +272,7 @@ class CompasReader {
   const std::string& path_;
   StoneFile out_;
   std::vector<Around> around_;  // by solid
-  std::size_t passed_over_ = 0;
+  std::size_t passed_over_ = 0, copies_ = 0;
   std::map<std::string, std::size_t> left_out_;  // solids of other kinds, by type
 };
 

@@ -224,6 +224,21 @@ TEST_CASE("supports: what the file marks, the ground, below a height") {
   CHECK(fixed(plain, "supports = 0.9") == std::vector<int>{0, 1, 5, 6});
 }
 
+TEST_CASE("of elements of COMPAS with a hull and a simplified copy beside their geometry, the geometry alone is read") {
+  const std::string solid = "{\"dtype\": \"compas.datastructures/Mesh\", \"value\": {\"vertex\": {\"0\": {\"x\": 0, \"y\": 0, \"z\": 0}, "
+                            "\"1\": {\"x\": 1, \"y\": 0, \"z\": 0}, \"2\": {\"x\": 0, \"y\": 1, \"z\": 0}, \"3\": {\"x\": 0, \"y\": 0, \"z\": 1}}, "
+                            "\"face\": {\"0\": [0, 2, 1], \"1\": [0, 1, 3], \"2\": [1, 2, 3], \"3\": [2, 0, 3]}}}";
+  const auto element = [&](const std::string& geometry) {
+    return "[{\"dtype\": \"compas_assembly2.element/Element\", \"value\": {\"convex_hull\": " + solid + ", \"geometry\": " + geometry +
+           ", \"geometry_simplified\": []}}]";
+  };
+  const TempFolder folder;
+  const auto both = load(folder.write("both.json", element("[" + solid + "]")), "", kBase);
+  CHECK(both.stones[0].stones.size() == 1);
+  CHECK(std::ranges::count(both.stones[0].notes, "passed over: 1 hulls or simplified copies of elements") == 1);
+  CHECK(load(folder.write("hull.json", element("[]")), "", kBase).stones[0].stones.size() == 1);  // all that there is
+}
+
 TEST_CASE("damaged files are refused with the place") {
   const TempFolder folder;
   int n = 0;
