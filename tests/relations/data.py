@@ -52,6 +52,7 @@ class Case:
     kind: str
     blocks: list = dataclasses.field(default_factory=list)
     house: dict = None  # tables of a house, in place of blocks
+    plan: dict = None  # "wall", "floor", "roof": tables of walls of any plan, in place of blocks
     materials: dict = dataclasses.field(default_factory=dict)
     laws: dict = dataclasses.field(default_factory=dict)
     default: str = "dry"
@@ -157,6 +158,10 @@ def structure_lines(case, folder):
         for name, entries in case.house.items():
             for one in entries if isinstance(entries, list) else [entries]:
                 lines += table(name, one)
+    elif case.plan:
+        for name, tables in case.plan.items():
+            for one in tables:
+                lines += table(f"[[{name}]]", one)
     elif case.unit:
         (folder / "stones.obj").write_text(obj_text(case.blocks, UNITS[case.unit]))
         supports = [b.name for b in case.blocks if b.fixed]

@@ -10,6 +10,7 @@ import sys
 
 import numpy
 
+import plans
 from data import Block, Case, Load, Tie
 from relations import points_moved
 
@@ -162,7 +163,7 @@ def hut(rng):
 
 def load_slowly(rng, case):
     """Some small models have a capacity, too."""
-    if not case.house and len(case.blocks) <= 8 and rng.random() < 0.3:
+    if not case.house and not case.plan and len(case.blocks) <= 8 and rng.random() < 0.3:
         angle = rng.uniform(0.0, 2.0 * math.pi)
         case.capacity = {"kind": rng.choice(["pushover", "tilt"]), "direction": [math.cos(angle), math.sin(angle)]}
 
@@ -204,12 +205,35 @@ def faces_are_plane(case):
     return True
 
 
-def make(seed, number):
-    """The first model of this number whose faces are plane; the raster bends those of some leaning ones."""
+def make(seed, number, plan=False):
+    """The first model of this number whose faces are plane; the raster bends those of some leaning ones. plan: walls of any plan."""
+    if plan:
+        return drawn_plan(random.Random(f"plans {seed}:{number}"))
     for draw in itertools.count():
         case = drawn(random.Random(f"relations {seed}:{number}" + (f":{draw}" if draw else "")))
         if faces_are_plane(case):
             return case
+
+
+def drawn_plan(rng):
+    """Walls of any plan with floors and roofs, in mortar or dry, under a record."""
+    case = plans.plan(rng)
+    set_times(rng, case)
+    joints(rng, case)
+    finish(rng, case)
+    on_raster(case)
+    return case
+
+
+def finish(rng, case):
+    """Gravity, segments, a record, and the direction of a live load."""
+    case.gravity = numpy.array([0.0, 0.0, -9.8])
+    if rng.random() < 0.3:
+        case.gravity += numpy.array([rng.uniform(-0.5, 0.5), rng.uniform(-0.5, 0.5), 0.0])
+    case.rule = rng.choice(["centres", "rim"])
+    record(rng, case, 10.0 ** rng.uniform(-0.3, 0.7))
+    angle = math.radians(rng.uniform(0.0, 360.0))
+    case.live = numpy.array([math.cos(angle), math.sin(angle), 0.0])
 
 
 def drawn(rng):
@@ -229,13 +253,7 @@ def drawn(rng):
         if rng.random() < 0.25:
             case.unit = "m"
             case.kind += ", stones"
-    case.gravity = numpy.array([0.0, 0.0, -9.8])
-    if rng.random() < 0.3:
-        case.gravity += numpy.array([rng.uniform(-0.5, 0.5), rng.uniform(-0.5, 0.5), 0.0])
-    case.rule = rng.choice(["centres", "rim"])
-    record(rng, case, 10.0 ** rng.uniform(-0.3, 0.7))
-    angle = math.radians(rng.uniform(0.0, 360.0))
-    case.live = numpy.array([math.cos(angle), math.sin(angle), 0.0])
+    finish(rng, case)
     load_slowly(rng, case)
     move_a_support(rng, case)
     on_raster(case)

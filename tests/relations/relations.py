@@ -6,9 +6,13 @@ import math
 
 import numpy
 
+import plans
 from data import UNITS
 
 BITS, ROUND_OFF = "bits", "round-off"
+# Of walls along x or y, and what follows from them.
+DRIFTS = ("summary: peak_drift", "summary: residual_drift", "summary: peak_in_plane_drift", "summary: damage_grade", "peak_drift", "residual_drift",
+          "peak_in_plane_drift", "damage_grade", "storeys", "curves: Out-of-plane drift", "curves: Storey drift", "curves: In-plane drift")
 AFTER_RUN = ("run", "summary", "assess", "report")
 
 
@@ -37,6 +41,8 @@ def points_moved(case, move):
     case.points = {name: move(p) for name, p in case.points.items()}
     case.cuts = [(name, move(p), n) for name, p, n in case.cuts]
     case.pivot = move(case.pivot)
+    if case.plan:
+        plans.points_moved(case, move)
 
 
 def shifted(case, d):
@@ -70,6 +76,8 @@ def turn_all(case, R):
     out.cuts = [(name, p, R @ n) for name, p, n in out.cuts]
     if out.capacity:
         out.capacity["direction"] = [float(x) for x in (R @ numpy.array([*out.capacity["direction"], 0.0]))[:2]]
+    if out.plan:
+        plans.turned(out, R)
     for b in out.blocks:
         b.faces = b.faces if numpy.linalg.det(R) > 0.0 else tuple(f[::-1] for f in b.faces)
         b.velocity = None if b.velocity is None else R @ b.velocity
@@ -114,7 +122,7 @@ def any_turn(rng, case):
         return None
     degrees = round(rng.uniform(5.0, 85.0) + 90.0 * rng.randrange(4), 2)
     R = rotation(degrees)
-    return turn_all(case, R), Change(turn=R, detail=f"by {degrees} degrees")
+    return turn_all(case, R), Change(turn=R, detail=f"by {degrees} degrees", leave_out=DRIFTS + plans.sides(case) if case.plan else ())
 
 
 def two_grids_are_possible(case):
@@ -136,7 +144,7 @@ def two_grids_are_possible(case):
 
 def mirrored(rng, case):
     """Its mirror image: x, or y, with the other sign."""
-    if case.house or (case.rule == "centres" and two_grids_are_possible(case)):
+    if case.house or (case.rule == "centres" and (case.plan or two_grids_are_possible(case))):
         return None
     R = numpy.diag(rng.choice([(-1.0, 1.0, 1.0), (1.0, -1.0, 1.0)]))
     out = turn_all(case, R)
@@ -149,6 +157,8 @@ def other_order(rng, case):
     if case.house:
         return None
     out = case.copy()
+    if out.plan:
+        plans.in_other_order(rng, out)
     rng.shuffle(out.blocks)
     rng.shuffle(out.loads)
     if out.rule == "rim":  # with "centres" the grid begins at the first corner of a face
@@ -173,7 +183,7 @@ def other_unit(rng, case):
 
 def other_names(rng, case):
     """Other names of blocks, ties, followed points and cuts."""
-    if case.house:
+    if case.house or case.plan:
         return None
     out = case.copy()
     new = {b.name: f"stone {i} of {rng.randrange(1000)}" for i, b in enumerate(out.blocks)}
@@ -200,7 +210,7 @@ def split_load(rng, case):
 
 def far_building(rng, case):
     """The same again 30 m to the side, or where it casts no shadow: the first one is as it was alone."""
-    if case.house or case.unit:
+    if case.house or case.plan or case.unit:
         return None
     out = case.copy()
     size = numpy.ptp(numpy.concatenate([b.vertices for b in case.blocks]), axis=0).max()
@@ -256,6 +266,8 @@ def scaled(rng, case):
     commands = ("check", "view", "limit", "modes") + (AFTER_RUN if factor == 4.0 else ())
     out, root = case.copy(), math.sqrt(factor)
     points_moved(out, lambda p: factor * p)
+    if out.plan:
+        plans.scaled(out, factor)
     if out.base is not None:
         out.base *= factor
     out.ground = [tuple(factor * v for v in part) for part in out.ground]
@@ -279,6 +291,8 @@ def scaled(rng, case):
         if b.motion is not None:
             b.motion = b.motion * numpy.array([root, factor, factor, factor, 1.0, 1.0, 1.0])
     absolute = ("summary: settled", "settled", "summary: touching", "summary: deep", "summary: debris", "acceleration ")  # the last: below 50 Hz
+    if case.plan:
+        absolute += ("joint area", "element inertia")  # bricks end on whole nanometres, whatever the scale
     return out, Change(scale=factor, detail=f"by {factor}", commands=commands, leave_out=absolute)
 
 
