@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/limit/kinematics/kinematic_curve.h"
 
-#include <Eigen/SparseCore>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -166,39 +165,38 @@ class Chain {
     for (double& l : length_) l = l > 0.0 ? l : 1.0;
   }
   /// Three rows a hinge point: the relative velocity of its two sides. Rotations count times the length of the part.
-  [[nodiscard]] Eigen::SparseMatrix<double> constraints(const std::vector<Place>& at) const {
-    std::vector<Eigen::Triplet<double>> m;
-    const auto put = [&](Eigen::Index row, std::int32_t part, Vec3 arm, double sign) {
+  [[nodiscard]] SparseEntries constraints(const std::vector<Place>& at) const {
+    SparseEntries a{3 * hinges_.size(), 6 * mass_.size(), {}};
+    const auto put = [&](std::size_t row, std::int32_t part, Vec3 arm, double sign) {
       if (part < 0) return;
       const Vec3 r = turned(nth(at, part), arm);
-      const Eigen::Index k = 6 * static_cast<Eigen::Index>(part);
+      const std::size_t k = 6 * static_cast<std::size_t>(part);
       const double s = sign / nth(length_, part);
-      for (Eigen::Index i = 0; i < 3; ++i) m.emplace_back(row + i, k + i, sign);  // v + w × r
-      m.emplace_back(row, k + 4, s * r.z), m.emplace_back(row, k + 5, -s * r.y);
-      m.emplace_back(row + 1, k + 3, -s * r.z), m.emplace_back(row + 1, k + 5, s * r.x);
-      m.emplace_back(row + 2, k + 3, s * r.y), m.emplace_back(row + 2, k + 4, -s * r.x);
+      const auto entry = [&](std::size_t i, std::size_t column, double value) { a.entries.push_back({row + i, k + column, value}); };
+      for (std::size_t i = 0; i < 3; ++i) entry(i, i, sign);  // v + w × r
+      entry(0, 4, s * r.z), entry(0, 5, -s * r.y);
+      entry(1, 3, -s * r.z), entry(1, 5, s * r.x);
+      entry(2, 3, s * r.y), entry(2, 4, -s * r.x);
     };
     for (std::size_t i = 0; i < hinges_.size(); ++i) {
-      put(static_cast<Eigen::Index>(3 * i), hinges_[i].a, hinges_[i].on_a, 1.0);
-      put(static_cast<Eigen::Index>(3 * i), hinges_[i].b, hinges_[i].on_b, -1.0);
+      put(3 * i, hinges_[i].a, hinges_[i].on_a, 1.0);
+      put(3 * i, hinges_[i].b, hinges_[i].on_b, -1.0);
     }
-    Eigen::SparseMatrix<double> a(static_cast<Eigen::Index>(3 * hinges_.size()), static_cast<Eigen::Index>(6 * mass_.size()));
-    a.setFromTriplets(m.begin(), m.end());
     return a;
   }
-  [[nodiscard]] Eigen::VectorXd packed(const std::vector<kernels::Twist>& motion) const {
-    Eigen::VectorXd v(static_cast<Eigen::Index>(6 * motion.size()));
+  [[nodiscard]] std::vector<double> packed(const std::vector<kernels::Twist>& motion) const {
+    std::vector<double> v;
     for (std::size_t k = 0; k < motion.size(); ++k) {
       const kernels::Twist& t = motion[k];
       const Vec3 w = length_[k] * t.w;
-      v.segment<6>(6 * static_cast<Eigen::Index>(k)) << t.v.x, t.v.y, t.v.z, w.x, w.y, w.z;
+      v.insert(v.end(), {t.v.x, t.v.y, t.v.z, w.x, w.y, w.z});
     }
     return v;
   }
-  [[nodiscard]] std::vector<kernels::Twist> unpacked(const Eigen::VectorXd& v) const {
+  [[nodiscard]] std::vector<kernels::Twist> unpacked(const std::vector<double>& v) const {
     std::vector<kernels::Twist> motion(mass_.size());
     for (std::size_t k = 0; k < motion.size(); ++k) {
-      const auto s = v.segment<6>(6 * static_cast<Eigen::Index>(k));
+      const double* s = v.data() + 6 * k;
       motion[k] = {{s[0], s[1], s[2]}, Vec3{s[3], s[4], s[5]} / length_[k]};
     }
     return motion;
