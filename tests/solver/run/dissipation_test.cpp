@@ -7,6 +7,7 @@
 
 #include "solver/analysis/drive.h"
 #include "solver/run/run.h"
+#include "tests/solver/no_rows.h"
 #include "tests/solver/small_wall.h"
 
 // What is lost stays lost, in every kind of run: no loss of the ledger ever grows smaller, and none hides what a force gives out.
@@ -16,14 +17,9 @@ using namespace voussoir::testing;
 
 namespace {
 
-class Losses final : public solver::Recorder {
+class Losses final : public testing::NoRows {
  public:
-  void history(double, std::span<const solver::HistorySample>) override {}
-  void forces(const solver::ForcesRow&) override {}
-  void damage(const solver::DamageRow&) override {}
   void cracks(std::span<const solver::CrackRow> rows) override { broken += rows.size(); }
-  void frame(const solver::FrameView&) override {}
-  void summary(const solver::Summary&) override {}
   void assessment(const solver::AssessmentRow&) override {}
   void energy(const solver::EnergyRow& row) override {
     if (row.time < 0.0) return;

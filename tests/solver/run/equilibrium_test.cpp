@@ -12,6 +12,7 @@
 
 #include "solver/world/errors.h"
 #include "tests/solver/interrupted_analysis.h"
+#include "tests/solver/no_rows.h"
 #include "tests/solver/small_wall.h"
 
 // States of rest of a small wall: same bits in any way to run them, a curve that depends on no tolerance, nothing that depends on a rate.
@@ -21,15 +22,11 @@ using namespace voussoir::testing;
 
 namespace {
 
-class Rows final : public solver::Recorder {
+class Rows final : public testing::NoRows {
  public:
-  void history(double, std::span<const solver::HistorySample>) override {}
   void energy(const solver::EnergyRow& row) override { energies.push_back(row); }
-  void forces(const solver::ForcesRow&) override {}
   void damage(const solver::DamageRow& row) override { broken = row.tension + row.shear + row.compression; }
-  void cracks(std::span<const solver::CrackRow>) override {}
   void frame(const solver::FrameView& f) override { frames.push_back(f.time); }
-  void summary(const solver::Summary&) override {}
   void assessment(const solver::AssessmentRow& row) override { rows.push_back(row); }
 
   [[nodiscard]] double peak() const { return std::ranges::max_element(rows, {}, &solver::AssessmentRow::factor)->factor; }

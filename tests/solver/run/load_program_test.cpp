@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/solver/interrupted_analysis.h"
+#include "tests/solver/no_rows.h"
 #include "tests/solver/small_wall.h"
 
 // Quasi-static analyses of a small wall: same bits in any way to run them, work in the ledger, no swing of the spring's own.
@@ -18,15 +19,10 @@ using namespace voussoir::testing;
 
 namespace {
 
-class Rows final : public solver::Recorder {
+class Rows final : public testing::NoRows {
  public:
-  void history(double, std::span<const solver::HistorySample>) override {}
   void energy(const solver::EnergyRow& row) override { energies.push_back(row); }
-  void forces(const solver::ForcesRow&) override {}
-  void damage(const solver::DamageRow&) override {}
   void cracks(std::span<const solver::CrackRow> rows) override { broken += rows.size(); }
-  void frame(const solver::FrameView&) override {}
-  void summary(const solver::Summary&) override {}
   void drive(const solver::Drive& d) override { chosen = d; }
   void assessment(const solver::AssessmentRow& row) override { rows.push_back(row); }
 

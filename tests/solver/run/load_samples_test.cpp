@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/solver/interrupted_analysis.h"
+#include "tests/solver/no_rows.h"
 #include "tests/solver/small_wall.h"
 
 // What a run tells of its loads: their forces, and the displacement of the places where they act. And which element is the control point.
@@ -17,18 +18,12 @@ using namespace voussoir::testing;
 
 namespace {
 
-class Rows final : public solver::Recorder {
+class Rows final : public testing::NoRows {
  public:
   void history(double time, std::span<const solver::HistorySample> s) override {
     times.push_back(time), followed.push_back(s.empty() ? solver::HistorySample{} : s[0]);
   }
   void loads(double, std::span<const solver::LoadSample> s) override { told.emplace_back(s.begin(), s.end()); }
-  void energy(const solver::EnergyRow&) override {}
-  void forces(const solver::ForcesRow&) override {}
-  void damage(const solver::DamageRow&) override {}
-  void cracks(std::span<const solver::CrackRow>) override {}
-  void frame(const solver::FrameView&) override {}
-  void summary(const solver::Summary&) override {}
 
   std::vector<double> times;
   std::vector<solver::HistorySample> followed;

@@ -13,6 +13,7 @@
 #include "solver/run/run.h"
 #include "solver/run/simulation.h"
 #include "solver/state/saved_state.h"
+#include "tests/solver/no_rows.h"
 
 // analysis.kind = "rest": THEORY.md, sections 11 and 13.
 
@@ -43,15 +44,8 @@ struct Outcome {
   std::vector<double> factor, over, moved;
 };
 
-class RestRows final : public solver::Recorder {
+class RestRows final : public testing::NoRows {
  public:
-  void history(double /*time*/, std::span<const solver::HistorySample> /*samples*/) override {}
-  void energy(const solver::EnergyRow& /*row*/) override {}
-  void forces(const solver::ForcesRow& /*row*/) override {}
-  void damage(const solver::DamageRow& /*row*/) override {}
-  void cracks(std::span<const solver::CrackRow> /*rows*/) override {}
-  void frame(const solver::FrameView& /*frame*/) override {}
-  void summary(const solver::Summary& /*s*/) override {}
   void assessment(const solver::AssessmentRow& r) override {
     if (r.over == 2.0) return;
     out.factor.push_back(r.factor), out.over.push_back(r.over), out.moved.push_back(r.support_moved);

@@ -13,6 +13,7 @@
 #include "solver/run/run.h"
 #include "solver/run/simulation.h"
 #include "tests/cases/walls/plan_spans.h"
+#include "tests/solver/no_rows.h"
 
 // The weight of walls of any plan ([[wall]]), of their floors and roofs, reaches the base, and by the walls that carry it.
 namespace voussoir::testing {
@@ -40,16 +41,6 @@ cases::Case three_walls() {
   c.floors[0].beams.load = 60.0, c.floors[1].beams.load = 300.0;
   return c;
 }
-
-struct NoRows final : solver::Recorder {
-  void history(double /*time*/, std::span<const solver::HistorySample> /*samples*/) override {}
-  void energy(const solver::EnergyRow& /*row*/) override {}
-  void forces(const solver::ForcesRow& /*row*/) override {}
-  void damage(const solver::DamageRow& /*row*/) override {}
-  void cracks(std::span<const solver::CrackRow> /*rows*/) override {}
-  void frame(const solver::FrameView& /*frame*/) override {}
-  void summary(const solver::Summary& /*s*/) override {}
-};
 
 /// Forces at rest [N]: on the base as a whole, and under each wall, in the order a, b, c, ...
 struct Support {

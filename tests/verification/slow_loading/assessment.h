@@ -8,12 +8,13 @@
 #include "io/output/measures/capacity/capacity.h"
 #include "solver/analysis/drive.h"
 #include "solver/run/run.h"
+#include "tests/solver/no_rows.h"
 #include "tests/verification/fixture.h"
 
 /// Quasi-static analyses in-process: the run of a case, and what `voussoir summary` would say of it but for the mechanism.
 namespace voussoir::testing {
 
-class AssessmentRows final : public solver::Recorder {
+class AssessmentRows final : public testing::NoRows {
  public:
   void history(double, std::span<const solver::HistorySample> points) override {
     if (!points.empty()) path.push_back(points.front().displacement);
@@ -24,11 +25,6 @@ class AssessmentRows final : public solver::Recorder {
     curve.losses.push_back(e.dashpot + e.friction + e.fracture + e.damping);
     curve.stored.push_back(e.kinetic + e.strain + e.contact + e.gravity);
   }
-  void forces(const solver::ForcesRow&) override {}
-  void damage(const solver::DamageRow&) override {}
-  void cracks(std::span<const solver::CrackRow>) override {}
-  void frame(const solver::FrameView&) override {}
-  void summary(const solver::Summary&) override {}
   void drive(const solver::Drive& d) override { chosen = d; }
   void assessment(const solver::AssessmentRow& r) override {
     curve.time.push_back(r.time), curve.factor.push_back(r.factor), curve.displacement.push_back(r.displacement);

@@ -9,29 +9,19 @@
 
 #include "solver/analysis/drive.h"
 #include "solver/run/run.h"
+#include "tests/solver/no_rows.h"
 #include "tests/solver/small_wall.h"
 
 // What the line of progress says of analyses by states of rest.
 namespace voussoir::io {
 namespace {
 
-class NoRows final : public solver::Recorder {
- public:
-  void history(double, std::span<const solver::HistorySample>) override {}
-  void energy(const solver::EnergyRow&) override {}
-  void forces(const solver::ForcesRow&) override {}
-  void damage(const solver::DamageRow&) override {}
-  void cracks(std::span<const solver::CrackRow>) override {}
-  void frame(const solver::FrameView&) override {}
-  void summary(const solver::Summary&) override {}
-};
-
 /// The headway at every tick of a run, up to some state of rest.
 std::vector<std::string> followed(const cases::Case& c, const cases::Model& m, std::int64_t states) {
   solver::Simulation sim(c, m, {}, {});
   solver::choose_drive(sim, c);
   solver::RunState plan;
-  NoRows out;
+  testing::NoRows out;
   std::vector<std::string> said;
   (void)solver::run(sim, plan, c, c.end(), out, [&](const solver::RunStatus& s) {
     if (!s.settling) said.push_back(headway(sim));

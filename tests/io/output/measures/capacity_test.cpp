@@ -231,68 +231,61 @@ TEST_CASE("capacity: an arch falls when it moves faster than it follows its supp
   CHECK(std::isnan(capacity_of(cases::AnalysisKind::settlement, 0.2, kPace, kWeight, 10.0, c).collapse_movement));
 }
 
+namespace {
+
+/// The capacity that is read of a pushover by states of rest, of at most 3 s, from its run.h5.
+/// \param rows  a row every 0.1 s \param end  s, that the run has reached \param lost_residual  of the ledger at the last row, which is no
+/// state of rest then \param failed  the program ended the run itself
+Capacity read_back(int rows, double end, std::optional<double> lost_residual, bool failed) {
+  const test::TempFolder folder;
+  ResultsWriter writer(folder.path(), test::two_cubes(), std::string(test::kCase) + "\n[analysis]\nkind = \"pushover\"\nlongest = 3.0\n",
+                       test::kNames, {}, test::by_hand());
+  solver::Drive drive;
+  drive.frequency = 10.0, drive.pace = 2.0, drive.weight = kWeight;
+  writer.drive(drive);
+  for (int i = 0; i < rows; ++i) {
+    const bool lost = lost_residual && i + 1 == rows;
+    solver::EnergyRow energy;
+    energy.time = 0.1 * i, energy.residual = lost ? *lost_residual : 1e-9;
+    writer.energy(energy);
+    writer.forces({0.1 * i, {-1.0 * i, 0.0, 0.0}, {}});
+    solver::AssessmentRow row{0.1 * i, 0.01 * i, 0.001 * i, 0.002 * i, 0.001 * i, 1.0 * i, 0.0, lost ? 2.0 : 0.0};
+    row.unbalanced = lost ? 9.0 : 1e-5;
+    writer.assessment(row);
+  }
+  solver::Summary summary;
+  summary.end_time = end;
+  writer.summary(summary);
+  if (failed) writer.failure("as a test");
+  writer.finish();
+  return *capacity_of(Hdf5File::open(folder.file("run.h5")));
+}
+
+bool says(const Capacity& c, const std::string& words) { return capacity_text(c).find(words) != std::string::npos; }
+
+}  // namespace
+
 TEST_CASE("capacity: states of rest that stop short of the longest time have come to it once the run has") {
-  const auto ended = [](double end, bool failed = false) {
-    const test::TempFolder folder;
-    ResultsWriter writer(folder.path(), test::two_cubes(), std::string(test::kCase) + "\n[analysis]\nkind = \"pushover\"\nlongest = 3.0\n",
-                         test::kNames, {}, test::by_hand());
-    solver::Drive drive;
-    drive.frequency = 10.0, drive.pace = 2.0, drive.weight = kWeight;
-    writer.drive(drive);
-    for (int i = 0; i <= 28; ++i) {
-      solver::EnergyRow energy;
-      energy.time = 0.1 * i;
-      writer.energy(energy);
-      writer.forces({0.1 * i, {-1.0 * i, 0.0, 0.0}, {}});
-      writer.assessment({0.1 * i, 0.01 * i, 0.001 * i, 0.002 * i, 0.001 * i, 1.0 * i, 0.0, 0.0});
-    }
-    solver::Summary summary;
-    summary.end_time = end;
-    writer.summary(summary);
-    if (failed) writer.failure("as a test");
-    writer.finish();
-    const Capacity c = *capacity_of(Hdf5File::open(folder.file("run.h5")));
-    const std::string words =
-        c.ended == "not yet" ? "not at its end: figures so far" : "ended by: " + c.ended + (failed ? "; figures up to there" : "\n");
-    CHECK(capacity_text(c).find(words) != std::string::npos);
-    return c.ended;
-  };
-  CHECK(ended(3.0) == "longest");
-  CHECK(ended(2.8) == "not yet");
-  CHECK(ended(2.8, true) == "numerical failure");
+  const Capacity longest = read_back(29, 3.0, {}, false), stopped = read_back(29, 2.8, {}, false), failed = read_back(29, 2.8, {}, true);
+  CHECK(longest.ended == "longest");
+  CHECK(says(longest, "ended by: longest\n"));
+  CHECK(stopped.ended == "not yet");
+  CHECK(says(stopped, "not at its end: figures so far"));
+  CHECK(failed.ended == "numerical failure");
+  CHECK(says(failed, "ended by: numerical failure; figures up to there"));
 }
 
 TEST_CASE("capacity: a path without a further state of rest is told as one, however its last iterations kept their energy") {
   for (const double residual : {1e-6, 35.0}) {
     CAPTURE(residual);
-    const test::TempFolder folder;
-    ResultsWriter writer(folder.path(), test::two_cubes(), std::string(test::kCase) + "\n[analysis]\nkind = \"pushover\"\nlongest = 3.0\n",
-                         test::kNames, {}, test::by_hand());
-    solver::Drive drive;
-    drive.frequency = 10.0, drive.pace = 2.0, drive.weight = kWeight;
-    writer.drive(drive);
-    for (int i = 0; i <= 10; ++i) {
-      const bool lost = i == 10;
-      solver::EnergyRow energy;
-      energy.time = 0.1 * i, energy.residual = lost ? residual : 1e-9;
-      writer.energy(energy);
-      writer.forces({0.1 * i, {-1.0 * i, 0.0, 0.0}, {}});
-      solver::AssessmentRow row{0.1 * i, 0.01 * i, 0.001 * i, 0.002 * i, 0.001 * i, 1.0 * i, 0.0, lost ? 2.0 : 0.0};
-      row.unbalanced = lost ? 9.0 : 1e-5;
-      writer.assessment(row);
-    }
-    solver::Summary summary;
-    summary.end_time = 1.0;
-    writer.summary(summary);
-    writer.finish();
-    const Capacity got = *capacity_of(Hdf5File::open(folder.file("run.h5")));
+    const Capacity got = read_back(11, 1.0, residual, false);
     CHECK(got.ended == "no further state of rest");
     CHECK(got.curve.time.size() == 10);
     CHECK(got.multiplier == doctest::Approx(0.09));
     CHECK(got.unbalanced == 1e-5);
     CHECK(got.lost_residual == residual);
     CHECK(not_proven(got).size() == (residual > 1.0 ? 1U : 0U));
-    CHECK((capacity_text(got).find("a state of rest may have been missed") != std::string::npos) == (residual > 1.0));
+    CHECK(says(got, "a state of rest may have been missed") == (residual > 1.0));
     CHECK(nlohmann::json::parse(capacity_json(got, false)).at("not_proven") == nlohmann::json(not_proven(got)));
   }
 }
