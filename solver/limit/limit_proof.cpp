@@ -8,11 +8,10 @@
 #include <limits>
 
 #include "cases/model.h"
+#include "geometry/nth.h"
 
 namespace voussoir::solver {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 Vec3 place(const geometry::Frame& f, const geometry::Segment& s) { return f.centre + s.s * f.axis_s + s.t * f.axis_t; }
 
@@ -31,16 +30,16 @@ ForceCheck LimitModel::check_forces(const ModelForces& found, double dead, doubl
   }
   for (std::size_t i = 0; i < contacts_.points.size(); ++i) {
     const LimitPoint& p = contacts_.points[i];
-    const geometry::Joint& joint = model_.assembly.joints[at(p.joint)];
+    const geometry::Joint& joint = nth(model_.assembly.joints, p.joint);
     for (const std::int32_t b : {p.a, p.b}) {
       if (b < 0) continue;
       const Vec3 f = b == p.a ? at_points[i] : -at_points[i];
-      force[at(b)] += f, moment[at(b)] += cross(p.at - contacts_.bodies[at(b)].centre, f);
+      nth(force, b) += f, nth(moment, b) += cross(p.at - nth(contacts_.bodies, b).centre, f);
     }
     const double n = -dot(at_points[i], p.normal);
     const Vec3 shear = at_points[i] + n * p.normal;
     out.tension = std::max(out.tension, -n / unit);
-    const double limit = limit_friction(model_, at(p.joint)) * std::max(n, 0.0);
+    const double limit = limit_friction(model_, static_cast<std::size_t>(p.joint)) * std::max(n, 0.0);
     out.over_friction = std::max(out.over_friction, (cone_.gauge({dot(shear, p.first), dot(shear, p.second)}) - limit) / unit);
     double near = std::numeric_limits<double>::infinity();
     for (const auto* side : {&joint.side_a, &joint.side_b})
@@ -55,7 +54,7 @@ ForceCheck LimitModel::check_forces(const ModelForces& found, double dead, doubl
       for (const LimitTie::Hold& h : tie.ends[end]) {
         if (h.body < 0) continue;
         const Vec3 f = (end == 0 ? pull * h.share : -pull * h.share) * tie.along;
-        force[at(h.body)] += f, moment[at(h.body)] += cross(h.at - contacts_.bodies[at(h.body)].centre, f);
+        nth(force, h.body) += f, nth(moment, h.body) += cross(h.at - nth(contacts_.bodies, h.body).centre, f);
       }
     }
   }
@@ -66,7 +65,7 @@ ForceCheck LimitModel::check_forces(const ModelForces& found, double dead, doubl
 
 Vec3 LimitModel::speed(std::int32_t body, Vec3 where, const std::vector<kernels::Twist>& motion) const {
   if (body < 0) return {};
-  return motion[at(body)].v + cross(motion[at(body)].w, where - contacts_.bodies[at(body)].centre);
+  return nth(motion, body).v + cross(nth(motion, body).w, where - nth(contacts_.bodies, body).centre);
 }
 
 double LimitModel::power(const BodyForces& f, const std::vector<kernels::Twist>& motion) const {
@@ -83,7 +82,7 @@ MotionCheck LimitModel::check_motion(const std::vector<kernels::Twist>& motion) 
   if (out.fastest == 0.0) return out;
   for (std::size_t j = 0; j < model_.assembly.joints.size(); ++j) {
     const geometry::Joint& joint = model_.assembly.joints[j];
-    const auto body = [&](std::int32_t e) { return e == geometry::kBase ? -1 : contacts_.body_of[at(e)]; };
+    const auto body = [&](std::int32_t e) { return e == geometry::kBase ? -1 : nth(contacts_.body_of, e); };
     std::int32_t a = body(joint.element_a), b = body(joint.element_b);
     if (a == b) continue;
     const bool turned = a < 0;
@@ -128,7 +127,7 @@ double LimitModel::lost_power(const ModelForces& found, const std::vector<kernel
     const Vec3 v = speed(p.b, p.at, motion) - speed(p.a, p.at, motion);
     const double n = -dot(at_points[i], p.normal), open = dot(v, p.normal);
     const double taken = dot(at_points[i] + n * p.normal, v);
-    const double due = limit_friction(model_, at(p.joint)) * n * cone_.support({dot(v, p.first), dot(v, p.second)});
+    const double due = limit_friction(model_, static_cast<std::size_t>(p.joint)) * n * cone_.support({dot(v, p.first), dot(v, p.second)});
     lost += std::abs(n * open) + std::abs(due - taken);
   }
   return lost / std::abs(power(forces_.live, motion));
@@ -140,7 +139,7 @@ double LimitModel::slack_of_bound(const ModelForces& found, const MotionCheck& c
   for (std::size_t k = 0; k < c.stretches.size(); ++k) held += c.stretches[k] * std::abs(found.of_ties[k]);
   for (std::size_t i = 0; i < contacts_.points.size(); ++i) {
     const LimitPoint& p = contacts_.points[i];
-    held += c.deficit[at(p.joint)] * std::abs(dot(at_points[i], p.normal));
+    held += nth(c.deficit, p.joint) * std::abs(dot(at_points[i], p.normal));
   }
   return held / c.live_power;
 }

@@ -13,11 +13,10 @@
 #include "cases/loads/loads.h"
 #include "cases/model.h"
 #include "cases/names.h"
+#include "geometry/nth.h"
 
 namespace voussoir::solver {
 namespace {
-
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 class Forces {
  public:
@@ -25,8 +24,8 @@ class Forces {
 
   [[nodiscard]] BodyForces none() const { return {std::vector<Vec3>(contacts_.bodies.size()), std::vector<Vec3>(contacts_.bodies.size())}; }
   void act(std::int32_t body, Vec3 where, Vec3 force, BodyForces& on) const {
-    on.force[at(body)] += force;
-    on.moment[at(body)] += cross(where - contacts_.bodies[at(body)].centre, force);
+    nth(on.force, body) += force;
+    nth(on.moment, body) += cross(where - nth(contacts_.bodies, body).centre, force);
   }
   void add(const cases::Load& load, std::size_t index, BodyForces& on) const {
     if (load.history)
@@ -36,15 +35,15 @@ class Forces {
       throw cases::InputError(cases::indexed_key("load", index, "path"),
                               "does not go with limit analysis, which knows no time; allowed: at; voussoir limit --path tries many places");
     for (const cases::LoadShare& share : cases::load_shares(model_, load, index)) {
-      const std::int32_t body = contacts_.body_of[at(share.element)];
+      const std::int32_t body = nth(contacts_.body_of, share.element);
       act(body, share.point, share.part * load.force, on);
-      on.moment[at(body)] += share.part * load.moment;
+      nth(on.moment, body) += share.part * load.moment;
     }
   }
   void add_weights(const LiveLoad& live, double gravity, BodyForces& on) const {
     std::vector<bool> loaded(contacts_.bodies.size(), live.on.empty());
     for (const std::string& name : live.on)
-      for (const std::int32_t e : named(name)) loaded[at(contacts_.body_of[at(e)])] = true;
+      for (const std::int32_t e : named(name)) nth(loaded, nth(contacts_.body_of, e)) = true;
     for (std::size_t b = 0; b < loaded.size(); ++b)
       if (loaded[b]) on.force[b] += (contacts_.bodies[b].mass * gravity) * live.direction;
   }
@@ -57,7 +56,7 @@ class Forces {
     }
     if (!live.on.empty() || !live.at) return;
     const cases::LoadedPlace place = cases::place_of_load(model_, *live.at, live.direction);
-    const std::int32_t body = place.element < 0 ? -1 : contacts_.body_of[at(place.element)];
+    const std::int32_t body = place.element < 0 ? -1 : nth(contacts_.body_of, place.element);
     if (body < 0) throw cases::InputError("--at", "no block that can move lies there, or behind it along the force");
     act(body, place.at, load.force, on);
   }
@@ -69,7 +68,7 @@ class Forces {
     if (wholes.empty()) throw cases::InputError("--on", cases::quoted(name) + " is the name of no block, stone or group");
     std::vector<std::int32_t> elements;
     for (const std::vector<std::int32_t>& parts : wholes)
-      std::ranges::copy_if(parts, std::back_inserter(elements), [&](std::int32_t e) { return contacts_.body_of[at(e)] >= 0; });
+      std::ranges::copy_if(parts, std::back_inserter(elements), [&](std::int32_t e) { return nth(contacts_.body_of, e) >= 0; });
     if (elements.empty()) throw cases::InputError("--on", cases::quoted(name) + " is fixed, a load cannot move it");
     return elements;
   }
@@ -80,7 +79,7 @@ class Forces {
 
 double mean_lever(const LimitContacts& c) {
   double sum = 0.0;
-  for (const LimitPoint& p : c.points) sum += norm(p.at - c.bodies[at(p.a)].centre);
+  for (const LimitPoint& p : c.points) sum += norm(p.at - nth(c.bodies, p.a).centre);
   return c.points.empty() ? 1.0 : sum / static_cast<double>(c.points.size());
 }
 

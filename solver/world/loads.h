@@ -24,7 +24,7 @@ struct PointLoad {
 struct Support {
   std::int32_t element = 0;
   const cases::SupportHistory* history = nullptr;
-  Vec3 spin;  // rad/s, angular velocity of the next step, from move_supports_on to spin_supports
+  Vec3 spin{};  // rad/s, angular velocity of the next step, from move_supports_on to spin_supports
 };
 
 }  // namespace voussoir::solver
