@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/app/session/process.h"
 
+#include <fcntl.h>
 #include <malloc.h>
 #include <pthread.h>
 #include <sys/resource.h>
@@ -58,19 +59,25 @@ void take_stack() {
 
 std::atomic<const char*> doing{"starting"};
 
+/// Pages of memory that the program has; 0: not known. Allocates nothing, as std::fopen would.
+unsigned long long pages_in_use() {
+  const int file = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
+  if (file < 0) return 0;
+  std::array<char, 100> text{};
+  const ssize_t length = ::read(file, text.data(), text.size() - 1);
+  ::close(file);
+  return length > 0 ? std::strtoull(text.data(), nullptr, 10) : 0;
+}
+
 /// Writes "; 388 MB are in use, ulimit -v allows 400 MB": what is known without memory.
 void describe_memory(char* text, std::size_t size) {
-  unsigned long long pages = 0;
-  if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
-    if (std::fscanf(file, "%llu", &pages) != 1) pages = 0;
-    std::fclose(file);
-  }
+  const unsigned long long pages = pages_in_use();
   const double used = 1e-6 * static_cast<double>(pages) * static_cast<double>(sysconf(_SC_PAGESIZE));
   rlimit limit{};
   int written = 0;
   if (pages > 0) written = std::snprintf(text, size, "; %.0f MB are in use", used);
   if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
-    std::snprintf(text + written, size - static_cast<std::size_t>(written), ", ulimit -v allows %.0f MB",
+    std::snprintf(text + written, size - static_cast<std::size_t>(written), "%s ulimit -v allows %.0f MB", pages > 0 ? "," : ";",
                   1e-6 * static_cast<double>(limit.rlim_cur));
 }
 

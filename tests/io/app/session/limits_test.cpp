@@ -77,7 +77,7 @@ TEST_CASE("limits: where memory ends, one line says what was done") {
   const Place place;
   // Limits from one under which the program does not start to one that it does not notice.
   int lacking = 0, good = 0;
-  for (int kilobytes = 44000; kilobytes <= 84000; kilobytes += 2000) {
+  for (int kilobytes = 44000; kilobytes <= 84000; kilobytes += 500) {
     const Outcome o = voussoir(place.run("-j 1"), "ulimit -v " + std::to_string(kilobytes) + " && ");
     CAPTURE(kilobytes);
     CAPTURE(o.text);
