@@ -59,7 +59,7 @@ void take_stack() {
 
 std::atomic<const char*> doing{"starting"};
 
-/// Pages of memory that the program has; 0: not known. Allocates nothing, as std::fopen would.
+/// Pages of memory that the program has; 0: not known. Allocates no memory; std::fopen would.
 unsigned long long pages_in_use() {
   const int file = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
   if (file < 0) return 0;
