@@ -30,6 +30,13 @@ namespace voussoir::cases {
 
 /// The contents of a case file.
 struct Case {
+  Case();  // this and the next five are in compiled_once.cpp
+  Case(const Case&);
+  Case(Case&&) noexcept;
+  Case& operator=(const Case&);
+  Case& operator=(Case&&) noexcept;
+  ~Case();
+
   std::string title, source;
   Gravity gravity;
   Time time;

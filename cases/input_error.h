@@ -15,8 +15,10 @@ namespace voussoir::cases {
 /// message says what is wrong, the value, and what is allowed. io adds file and line.
 class InputError : public std::runtime_error {
  public:
-  InputError(std::string key, const std::string& problem)
-      : std::runtime_error(key.empty() ? problem : key + ": " + problem), key_(std::move(key)), problem_(problem) {}
+  InputError(std::string key, const std::string& problem);
+  InputError(const InputError&);
+  InputError& operator=(const InputError&);
+  ~InputError() override;
   [[nodiscard]] const std::string& key() const noexcept { return key_; }
   [[nodiscard]] const std::string& problem() const noexcept { return problem_; }
 
@@ -52,19 +54,11 @@ class Faults {
     return false;
   }
   /// Keeps an error, unless it is there already.
-  void add(const InputError& e) {
-    for (const InputError& known : all_) {
-      if (known.key() == e.key() && known.problem() == e.problem()) return;
-    }
-    all_.push_back(e);
-  }
+  void add(const InputError& e);
   [[nodiscard]] bool any() const noexcept { return !all_.empty(); }
   [[nodiscard]] std::size_t count() const noexcept { return all_.size(); }
   /// \throw InputError the only one, InputErrors several
-  void raise() const {
-    if (all_.size() == 1) throw all_.front();
-    if (!all_.empty()) throw InputErrors(all_);
-  }
+  void raise() const;
 
  private:
   std::vector<InputError> all_;

@@ -23,6 +23,13 @@ const char* name(PartKind kind) noexcept;
 
 /// One future element, in order of element numbers.
 struct Block {
+  Block();  // this and the next five are in compiled_once.cpp
+  Block(const Block&);
+  Block(Block&&) noexcept;
+  Block& operator=(const Block&);
+  Block& operator=(Block&&) noexcept;
+  ~Block();
+
   std::string name;            // of a free [[block]]; empty in houses
   std::string tag;             // "front wall", "roof beam 12", "lintel 0", ...; for output
   std::int32_t material = 0;   // index into Model::materials
@@ -93,6 +100,13 @@ struct TieBill {
 };
 
 struct Model {
+  Model();  // this and the next five are in compiled_once.cpp
+  Model(const Model&);
+  Model(Model&&) noexcept;
+  Model& operator=(const Model&);
+  Model& operator=(Model&&) noexcept;
+  ~Model();
+
   Vec3 origin;  // m, in the axes of the case file: all coordinates of the model are relative to it (Case::origin)
   std::vector<Block> blocks;
   std::vector<NamedMaterial> materials;

@@ -185,6 +185,13 @@ struct GroundStep {
   bool only_walls = true;      // nothing but the house may lie on this ground
 };
 struct House {
+  House();  // this and the next five are in compiled_once.cpp
+  House(const House&);
+  House(House&&) noexcept;
+  House& operator=(const House&);
+  House& operator=(House&&) noexcept;
+  ~House();
+
   std::array<double, 2> inner_size{5.0, 3.0};  // m
   double height = 2.4;                         // m, of the first storey
   std::array<double, 3> brick{0.2, 0.1, 0.1};  // length, width, height, m

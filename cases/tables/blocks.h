@@ -27,6 +27,13 @@ struct SupportMotion {
 /// A free block. Exactly one of box, vertices, polygon + extrude. `vertices` without `faces` are the eight of a hexahedron in VTK order;
 /// with `faces` (loops of vertex numbers, counter-clockwise seen from outside) any convex polyhedron.
 struct BlockSpec {
+  BlockSpec();  // this and the next five are in compiled_once.cpp
+  BlockSpec(const BlockSpec&);
+  BlockSpec(BlockSpec&&) noexcept;
+  BlockSpec& operator=(const BlockSpec&);
+  BlockSpec& operator=(BlockSpec&&) noexcept;
+  ~BlockSpec();
+
   std::string name, material;
   std::string part;  // of a building: "front wall", "front wall, storey 2"; empty: no part
   std::optional<std::array<Vec3, 2>> box;

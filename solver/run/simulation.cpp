@@ -83,6 +83,8 @@ Simulation::Simulation(const cases::Case& c, const cases::Model& m, const cases:
   kernels::drift(w.elements.view(), w.element_rows(), 0.0, 0, w.elements.rows);
 }
 
+Simulation::~Simulation() = default;
+
 double Simulation::time_of(std::int64_t step) const {
   const double t = static_cast<double>(step) * world_->dt;
   return phase_ == Phase::settling ? t - (ramp_ + settle_limit_) : t;

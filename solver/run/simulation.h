@@ -38,6 +38,7 @@ class Simulation {
   /// Builds the world, which settles first if the case requires it. Case and model must outlive the simulation.
   /// \throw cases::InputError
   Simulation(const cases::Case& c, const cases::Model& m, const cases::GroundMotion& motion, const Options& o);
+  ~Simulation();
 
   /// Advances by one step of dt. Stages in order: supports, search, forces, damage, loads, kick, samples, drift, ledger.
   /// \throw NumericalError if the state has a NaN, or a speed too high for a house

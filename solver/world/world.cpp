@@ -6,6 +6,9 @@
 
 namespace voussoir::solver {
 
+World::World(const cases::Model& m) : model(m) {}
+World::~World() = default;
+
 kernels::ElementsView Elements::view() noexcept {
   const bool own = !inert.any();  // else those of a relaxation
   const double* round = inert.inv_inertia.data();

@@ -31,7 +31,8 @@
 namespace voussoir::solver {
 
 struct World {
-  explicit World(const cases::Model& m) : model(m) {}
+  explicit World(const cases::Model& m);
+  ~World();
 
   // Input and options.
   const cases::Model& model;

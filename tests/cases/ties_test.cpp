@@ -83,7 +83,8 @@ TEST_CASE("ties: a plate on the edge between two bricks presses on the wall's fa
   Tie& tie = c.ties[0];
   tie.plate = {{0.2, 0.1}};
   tie.to = {0.55, 0.1, 0.15}, tie.from = {0.4, 0.0, 0.15};
-  for (const TieHold& h : bar(c).ends[0]) CHECK(h.point.y == doctest::Approx(0.0).scale(1.0).epsilon(1e-12));
+  const TieBar t = bar(c);
+  for (const TieHold& h : t.ends[0]) CHECK(h.point.y == doctest::Approx(0.0).scale(1.0).epsilon(1e-12));
 }
 
 TEST_CASE("ties: a plate that hangs over an edge presses on what is there; a rod from the base needs none there") {
@@ -92,8 +93,8 @@ TEST_CASE("ties: a plate that hangs over an edge presses on what is there; a rod
   tie.from = {0.25, 0.05, 0.2}, tie.to = {0.25, 0.5, 0.0}, tie.plate = {{0.2, 0.15}};
   check_refused(
       tied_wall(),
-      [](Case& c) {
-        c.ties[0].from = {0.25, 0.05, 0.2}, c.ties[0].to = {0.25, 0.5, 0.0}, c.ties[0].plate = {{0.2, 0.15}};
+      [](Case& with) {
+        with.ties[0].from = {0.25, 0.05, 0.2}, with.ties[0].to = {0.25, 0.5, 0.0}, with.ties[0].plate = {{0.2, 0.15}};
       },
       "tie[0].from", "lies on no face that looks away");
   tie.to = {0.25, 0.15, 0.0};

@@ -22,7 +22,7 @@ namespace {
 class Rows final : public testing::NoRows {
  public:
   void energy(const solver::EnergyRow& row) override { energies.push_back(row); }
-  void cracks(std::span<const solver::CrackRow> rows) override { broken += rows.size(); }
+  void cracks(std::span<const solver::CrackRow> some) override { broken += some.size(); }
   void drive(const solver::Drive& d) override { chosen = d; }
   void assessment(const solver::AssessmentRow& row) override { rows.push_back(row); }
 
