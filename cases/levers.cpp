@@ -47,8 +47,10 @@ void add_lever(double width, double height, double segment, std::vector<Lever>& 
 std::vector<Lever> levers_of_walls(const House& h, const Model& model) {
   const auto brick = std::ranges::find(model.blocks, PartKind::brick, &Block::kind);
   if (brick == model.blocks.end()) return {};
+  const auto built = [&h](const char* wall) { return std::ranges::find(h.walls, wall) != h.walls.end(); };
   std::vector<Lever> out;
-  for (const double width : {h.bearing_wall, h.nonbearing_wall}) add_lever(width, h.height, brick->segment_size, out);
+  if (built("front") || built("rear")) add_lever(h.bearing_wall, h.height, brick->segment_size, out);
+  if (built("left") || built("right")) add_lever(h.nonbearing_wall, h.height, brick->segment_size, out);
   return out;
 }
 

@@ -20,9 +20,9 @@ struct Lever {
   [[nodiscard]] double short_by() const noexcept { return 1.0 / segments; }
 };
 
-/// Levers of the bearing walls of a house, then of the other walls if their thickness differs; without a house, of [[wall]] by thickness;
-/// without either, of the joint with the fewest segments across either edge (the first of equals). Empty under SegmentRule::rim, where no
-/// lever is short, and without a joint.
+/// Levers of the bearing walls of a house, then of the other walls if their thickness differs, each if one of them is built; without a
+/// house, of [[wall]] by thickness; without either, of the joint with the fewest segments across either edge (the first of equals). Empty
+/// under SegmentRule::rim, where no lever is short, and without a joint.
 std::vector<Lever> levers(const Case& c, const Model& model);
 
 }  // namespace voussoir::cases

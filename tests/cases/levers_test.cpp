@@ -41,6 +41,18 @@ TEST_CASE("levers of walls: a segment of the wall's bricks over the thickness") 
   CHECK(levers(testing::paper_flat20(), build_model(testing::paper_flat20())).size() == 1);
 }
 
+TEST_CASE("levers of walls: none of walls that are not built") {
+  Case c = testing::paper_flat40();
+  c.house->walls = {"front"}, c.house->roof.kind = RoofKind::none, c.output.history.clear();
+  const std::vector<Lever> front = levers(c, build_model(c));
+  REQUIRE(front.size() == 1);
+  CHECK(front[0].width == 0.4);
+  c.house->walls = {"left"}, c.house->openings.clear();
+  const std::vector<Lever> left = levers(c, build_model(c));
+  REQUIRE(left.size() == 1);
+  CHECK(left[0].width == 0.2);
+}
+
 TEST_CASE("levers of free blocks: the joint with the fewest segments across, found from its points") {
   for (const int n : {1, 2, 4}) {
     const Case c = two_blocks(0.2 / n);
