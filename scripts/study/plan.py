@@ -9,6 +9,7 @@ import collections
 import csv
 import difflib
 import hashlib
+import io
 import itertools
 import json
 import math
@@ -19,7 +20,9 @@ import subprocess
 import sys
 from concurrent import futures
 
+import own_files
 import toml_reading
+from own_files import StudyError
 from strength import UNITS
 from versions import differs, results_of
 
@@ -28,10 +31,6 @@ NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+]*")
 MOST_RUNS = 50_000  # of one study
 PLOTS = ("plots/damage_grade.svg", "plots/fallen_mass_fraction.svg", "plots/first_crack_time.svg", "plots/peak_base_shear.svg")
 ENVIRONMENT = re.compile(r"\$\{(\w+)\}")
-
-
-class StudyError(Exception):
-    pass
 
 
 def is_number(value):
@@ -172,11 +171,10 @@ def read_intensity(path, table):
 
 
 def read_document(path):
+    text = own_files.text_of(path, "a study file")
     try:
-        return toml_reading.loads(path.read_text())
-    except OSError as error:
-        raise StudyError(f"{path}: {error.strerror}; wanted a study file") from error
-    except ValueError as error:  # of TOML or of UTF-8
+        return toml_reading.loads(text)
+    except ValueError as error:  # of TOML
         raise StudyError(f"{path}: {error}") from error
     except RecursionError as error:
         raise StudyError(f"{path}: arrays or tables within each other, too deep to be read") from error
@@ -280,7 +278,8 @@ def one_run(study, folder, case, direction, record, scale, intensity, options, s
 def identity(case, overrides):
     """Identity of a run, to recognise its results: its case file as it reads now, and its overrides as written in the study, since the location
     of records may change."""
-    text = pathlib.Path(case).read_text() if os.path.isfile(case) else case
+    is_file = os.path.isfile(case) or (case.endswith(".toml") and os.path.exists(case))  # the program refuses a path where nothing is
+    text = own_files.text_of(case, "a case file") if is_file else case
     return hashlib.sha256("\0".join([text, *overrides]).encode()).hexdigest()[:16]
 
 
@@ -366,13 +365,16 @@ def check_cases(path, runs, voussoir):
 
 def check_folder(folder, runs, version):
     """Checks that existing results are those of the study as it is now, and of this program: one table, one physics."""
+    def said(path):
+        return own_files.text_of(path, "what a study wrote of its run").strip() if path.exists() else None
+
     for run in runs:
         made_by = folder / "runs" / run["name"] / "version"
-        if made_by.exists() and made_by.read_text().strip() != version:
-            raise StudyError(f"{made_by.parent}: is a run of version {made_by.read_text().strip()}, and this is {version}: their results may differ. "
+        if said(made_by) not in (None, version):
+            raise StudyError(f"{made_by.parent}: is a run of version {said(made_by)}, and this is {version}: their results may differ. "
                              "Name the program that began the study by VOUSSOIR=..., or give the study another folder")
         there = folder / "runs" / run["name"] / "identity"
-        if there.exists() and there.read_text().strip() != run["identity"]:
+        if said(there) not in (None, run["identity"]):
             raise StudyError(f"{there.parent}: holds a run of the same name with another case file or other overrides; "
                              "remove it to run it anew, or give the study another folder")
 
@@ -384,11 +386,9 @@ def version_of(voussoir):
 
 def finished_rows(table):
     """By identity: rows of a study's table for finished runs."""
+    data = own_files.bytes_of(table, "a table.csv of a study", own_files.LARGEST_TABLE)
     try:
-        with open(table, newline="") as file:
-            rows = list(csv.DictReader(file))
-    except OSError as error:
-        raise StudyError(f"{table}: {error.strerror}; wanted a table.csv of a study") from error
+        rows = list(csv.DictReader(io.StringIO(data.decode(), newline="")))
     except (ValueError, csv.Error) as error:  # of UTF-8; of CSV
         raise StudyError(f"{table}: {error}; wanted a table.csv of a study") from error
     for column in ("run", "identity", "status"):

@@ -10,6 +10,7 @@ import re
 import sys
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "python/voussoir"))
+import own_files  # noqa: E402
 import toml_reading  # noqa: E402
 
 SAME = {"0.1.0 (physics 14)": "0.1.0 (physics 13)"}  # version: the earliest that gives its results
@@ -39,7 +40,7 @@ def path_of(name, folder):
 
 def has_what_changed(path):
     """Whether a case file, or one of its includes, has parts of the base or blocks kept level."""
-    case = toml_reading.loads(path.read_text())
+    case = toml_reading.loads(own_files.text_of(path, "a case file"))
     if case.get("base", {}).get("part") or case.get("analysis", {}).get("level"):
         return True
     included = case.get("include", [])
@@ -51,5 +52,5 @@ def differs(case, overrides):
     program is built in)."""
     try:
         return any(map(DIFFER.search, overrides)) or has_what_changed(path_of(str(case), "."))
-    except OSError:
+    except own_files.StudyError:
         return True
