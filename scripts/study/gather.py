@@ -8,12 +8,13 @@ made elsewhere: the row that is known of it. A run whose results cannot be read 
 """
 import csv
 import json
-import os
 import pathlib
 import subprocess
 import sys
 
 import h5py
+
+import own_files
 
 # What comes first in the table, and what is no result. All else that the program says follows, the walls last.
 FIRST = ("collapsed", "damage_grade", "fallen_mass_fraction", "first_crack_time", "first_fallen_time", "first_fallen_wall", "peak_drift",
@@ -111,14 +112,14 @@ def main():
     rows = [known_row(known[run["name"]], run) if run["name"] in known else row(plan["voussoir"], run) for run in plan["runs"]]
     names = [dict.fromkeys(name for r in rows for name in r[part]) for part in range(3)]
     columns = [name for part in names for name in part]
-    path = pathlib.Path(sys.argv[2])
-    temporary = path.with_name(f"{path.name}.{os.getpid()}.tmp")  # of this process: `run --table` may make a table beside the study's own
-    with open(temporary, "w", newline="") as file:
+    with own_files.replacing(sys.argv[2]) as file:  # `run --table` may make a table beside the study's own
         writer = csv.DictWriter(file, columns, lineterminator="\n")
         writer.writeheader()
         writer.writerows(a | b | c for a, b, c in rows)
-    temporary.replace(path)
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except own_files.StudyError as error:
+        sys.exit(str(error))

@@ -17,20 +17,21 @@ import time
 
 import h5py
 
+import own_files
+
 RENDER = pathlib.Path(__file__).resolve().parent.parent / "render.py"
 DONE, NUMERICAL_FAILURE = 0, 1  # exit codes of the program
 
 
 def write(path, text):
     """Writes a complete file, or none."""
-    temporary = path.with_name(path.name + ".tmp")
-    temporary.write_text(text)
-    os.replace(temporary, path)
+    with own_files.replacing(path, ".tmp") as file:  # one name, since one process alone works on a run
+        file.write(text)
 
 
 def take_turn(folder):
     """Waits until no other process works on the run. The program inherits the lock, which therefore outlasts this script."""
-    lock = os.open(folder / ".job", os.O_RDWR | os.O_CREAT, 0o666)
+    lock = own_files.opened(folder / ".job", os.O_RDWR)
     fcntl.flock(lock, fcntl.LOCK_EX)
     return lock
 
@@ -87,7 +88,7 @@ def go_on(words, folder, sessions, threads, lock):
     sessions.close_killed()
     sessions.open(threads)
     start = time.monotonic()
-    with open(folder / "program.log", "a") as log:
+    with open(own_files.opened(folder / "program.log", os.O_WRONLY | os.O_APPEND), "a") as log:
         program = subprocess.Popen(words, stdout=log, stderr=log, pass_fds=[lock])
         for number in (signal.SIGINT, signal.SIGTERM):  # the program saves a checkpoint and stops; this script must outlive it
             signal.signal(number, lambda n, _: program.send_signal(n))
@@ -138,4 +139,7 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except own_files.StudyError as error:
+        sys.exit(str(error))

@@ -11,6 +11,8 @@ import json
 import pathlib
 import sys
 
+import own_files
+
 STYLE = """body { font: 14px/1.4 sans-serif; margin: 2em; color: #222 } table { border-collapse: collapse }
 th, td { padding: .25em .6em; border-bottom: 1px solid #ddd; text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums }
 th { position: sticky; top: 0; background: #fff } td:first-child, th:first-child { text-align: left }
@@ -75,12 +77,16 @@ def main():
     title = html.escape(plan["title"] or "A study")
     columns = [name for name in SHOWN if any(row.get(name) for row in rows)]
     head = "".join(f"<th>{html.escape(name.replace('_', ' '))}</th>" for name in columns)
-    lines = ["<!DOCTYPE html>", f'<html lang="en"><head><meta charset="utf-8"><title>{title}</title><style>{STYLE}</style></head><body>',
+    lines = ["<!DOCTYPE html>", f'<html lang="en"><head><meta charset="utf-8">{own_files.GENERATOR}<title>{title}</title><style>{STYLE}</style></head><body>',
              f"<h1>{title}</h1>", f"<p>{facts(rows)} Damage grades of EMS-98, drift out of plane over the height of the wall, free volume and fallen mass as fractions; times in s, lengths in m, forces in N, levels of PGA and Sa in m/s², of PGV in m/s. All measures: table.csv.</p>",
              f"<table><thead><tr>{head}<th></th></tr></thead><tbody>", *(table_row(row, columns) for row in rows), "</tbody></table>",
              *(picture(pathlib.Path(path), "svg+xml", "plot") for path in sys.argv[4:]), "</body></html>"]
-    pathlib.Path(sys.argv[3]).write_text("\n".join(lines) + "\n")
+    with own_files.replacing(sys.argv[3]) as file:
+        file.write("\n".join(lines) + "\n")
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except own_files.StudyError as error:
+        sys.exit(str(error))

@@ -11,6 +11,7 @@ import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+import own_files
 import run_file
 from strength import axis_of, strength_of, text_of
 
@@ -68,6 +69,7 @@ def has(row, quantity):
 
 
 def draw(rows, path):
+    own_files.refuse_other(path)
     path.parent.mkdir(parents=True, exist_ok=True)
     quantity = path.stem
     there = [row for row in rows if has(row, quantity)]
@@ -88,8 +90,11 @@ def main():
         axis_of(rows)
     except ValueError as error:
         sys.exit(f"{sys.argv[1]}: {error}")
-    for path in sys.argv[2:]:
-        draw(rows, pathlib.Path(path))
+    try:
+        for path in sys.argv[2:]:
+            draw(rows, pathlib.Path(path))
+    except own_files.StudyError as error:
+        sys.exit(str(error))
 
 
 if __name__ == "__main__":
