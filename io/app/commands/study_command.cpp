@@ -23,10 +23,14 @@ fs::path study_script(const fs::path& program) {
     const fs::path script = (program.parent_path() / from).lexically_normal();
     if (std::error_code error; fs::exists(script, error)) return script;
   }
-  throw FileError("scripts/study/run", "is neither in the checkout of " + program.string() + " nor installed beside it");
+  const std::string remedy =
+      "use the program in build/release/io of a checkout, or install it with its scripts (scripts/package); or, for this one, ";
+  throw FileError("scripts/study/run", "is neither in the checkout of " + program.string() + " nor installed beside it; " + remedy +
+                                           "VOUSSOIR=" + program.string() + " CHECKOUT/scripts/study/run STUDY.toml");
 }
 
-/// Becomes the script, which runs this program for every run of the study. A Python beside the program, as pip puts it there, runs the script.
+/// Becomes the script, which runs this program for every run of the study. A Python beside the program, as pip puts it there, runs the
+/// script.
 int run_study(const std::string& file, const std::vector<std::string>& more) {
   const fs::path program = fs::read_symlink("/proc/self/exe"), script = study_script(program);
   setenv("VOUSSOIR", program.c_str(), 0);  // another one that the user names stays

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <filesystem>
 #include <string>
 #include <utility>
 
@@ -99,6 +100,19 @@ TEST_CASE("a study without a program says what to do") {
   CHECK(shell::code_of("VOUSSOIR=" + other + " " + script("run") + file + " --check -o " + folder.path("study") + " >" + log + " 2>&1") ==
         2);
   CHECK(text_of(log) == "study: " + other + ": Permission denied; build it, or name the program by VOUSSOIR=...\n");
+}
+
+TEST_CASE("a program that was copied without the scripts of studies says what to do") {
+  const TempFolder folder;
+  const std::string copy = folder.path("voussoir"), log = folder.path("log");
+  std::filesystem::copy_file(VOUSSOIR_PROGRAM, copy);
+  CHECK(shell::code_of(shell::quoted(copy) + " study " + folder.write("study.toml", "cases = [\"flat20n\"]\n") + " >" + log + " 2>&1") ==
+        3);
+  const std::string said = text_of(log);
+  CAPTURE(said);
+  CHECK(said.find("is neither in the checkout of " + copy +
+                  " nor installed beside it; use the program in build/release/io of a checkout, or ") != std::string::npos);
+  CHECK(said.find("VOUSSOIR=" + copy + " CHECKOUT/scripts/study/run STUDY.toml\n") != std::string::npos);
 }
 
 TEST_CASE("effort: two runs of one house, direction, motion and scale are refused; one that is in two tables counts once") {
