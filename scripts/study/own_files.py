@@ -100,6 +100,11 @@ def is_table(path):
     return names[:2] == ["run", "case"] and "status" in names
 
 
+def is_main_table(path):
+    names = head_of(path).partition("\n")[0].rstrip("\r").split(",")
+    return names[0] == "run" and "status" in names
+
+
 def is_page(path):
     head = head_of(path)
     return GENERATOR in head or OLD_PAGE.search(head) is not None
@@ -109,7 +114,7 @@ def is_drawing(path):
     return "<svg" in head_of(path)
 
 
-OWN = {"plan.json": (is_plan, "plan"), "table.csv": (is_table, "table"), "index.html": (is_page, "page")}
+OWN = {"plan.json": (is_plan, "plan"), "table.csv": (is_table, "table"), "main.csv": (is_main_table, "table"), "index.html": (is_page, "page")}
 
 
 def check_outputs(folder, plots, runs=()):

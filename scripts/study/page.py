@@ -78,7 +78,7 @@ def main():
     columns = [name for name in SHOWN if any(row.get(name) for row in rows)]
     head = "".join(f"<th>{html.escape(name.replace('_', ' '))}</th>" for name in columns)
     lines = ["<!DOCTYPE html>", f'<html lang="en"><head><meta charset="utf-8">{own_files.GENERATOR}<title>{title}</title><style>{STYLE}</style></head><body>',
-             f"<h1>{title}</h1>", f"<p>{facts(rows)} Damage grades of EMS-98, drift out of plane over the height of the wall, free volume and fallen mass as fractions; times in s, lengths in m, forces in N, levels of PGA and Sa in m/s², of PGV in m/s. All measures: table.csv.</p>",
+             f"<h1>{title}</h1>", f"<p>{facts(rows)} Damage grades of EMS-98, drift out of plane over the height of the wall, free volume and fallen mass as fractions; times in s, lengths in m, forces in N, levels of PGA and Sa in m/s², of PGV in m/s. Main columns: main.csv; all measures: table.csv.</p>",
              f"<table><thead><tr>{head}<th></th></tr></thead><tbody>", *(table_row(row, columns) for row in rows), "</tbody></table>",
              *(picture(pathlib.Path(path), "svg+xml", "plot") for path in sys.argv[4:]), "</body></html>"]
     with own_files.replacing(sys.argv[3]) as file:

@@ -29,6 +29,7 @@ LOADER.exec_module(study_run)
 MINE = {
     "plan.json": '{"name": "a plan of mine"}\n',
     "table.csv": "name,price\nlime,3\n",
+    "main.csv": "name,price\nlime,3\n",
     "index.html": "<!DOCTYPE html>\n<title>Mine</title><p>3 of 4 runs done</p>\n",
     "plots/damage_grade.svg": "not a drawing\n",
 }
@@ -60,7 +61,7 @@ class Folder(InAFolder):
         self.assertFalse((self.out / "runs/arch/identity").exists())
 
     def test_links_are_neither_followed_nor_replaced(self):
-        for name in (".study", "plan.json", "table.csv", "index.html", "plots/damage_grade.svg", "runs/arch/program.log", "runs/arch/.job"):
+        for name in (".study", "plan.json", "table.csv", "main.csv", "index.html", "plots/damage_grade.svg", "runs/arch/program.log", "runs/arch/.job"):
             target, link = self.folder / "target", self.out / name
             link.parent.mkdir(parents=True, exist_ok=True)
             link.symlink_to(target)
@@ -139,6 +140,7 @@ class Folder(InAFolder):
         self.assertIn("1 of 1 runs done", (self.out / "index.html").read_text())
         with open(self.out / "table.csv", newline="") as file:
             self.assertEqual([row["status"] for row in csv.DictReader(file)], ["done"])
+        self.assertEqual((self.out / "main.csv").read_text(), "run,case,status\narch,arch,done\n")
         self.assertEqual([path.name for path in self.out.iterdir() if path.name.endswith(".tmp")], [])
         own_files.check_outputs(self.out, plan.PLOTS, ["arch"])  # its own files of today
         for left in ('{\n "title": "", "thr', ""):  # by a kill of an earlier version
