@@ -134,7 +134,8 @@ def check_outputs(folder, plots, runs=()):
             raise StudyError(f"{path}: {error.strerror}, so it is not replaced; give another folder by -o") from error
         if others:
             raise StudyError(f"{path}: is no {what} of a study, so it is not replaced; give another folder by -o")
-    refuse_other(folder / "runs", "a folder")
+    for name in ("runs", ".snakemake"):
+        refuse_other(folder / name, "a folder")
     there = set(os.listdir(folder / "runs")) if (folder / "runs").is_dir() else set()
     for name in runs:
         if name in there:

@@ -76,7 +76,7 @@ class Folder(InAFolder):
             link.unlink()
 
     def test_folders_that_are_links(self):
-        for name in ("runs", "plots", "runs/arch"):
+        for name in ("runs", "plots", "runs/arch", ".snakemake"):
             link, target = self.out / name, self.folder / "elsewhere"
             target.mkdir()
             link.parent.mkdir(exist_ok=True)
