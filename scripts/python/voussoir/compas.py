@@ -19,8 +19,9 @@ import warnings
 from collections.abc import Iterator
 from typing import Any
 
+from . import outputs
 from .compas_problem import Motion, Problem
-from .errors import FileError, InputError, ProgramWarning
+from .errors import InputError, ProgramWarning
 from .model import Model
 from .results import Results, rotation_matrices  # first: says which package is missing
 
@@ -118,14 +119,8 @@ def solution(run: Results, time: float | None = None) -> dict[str, Any]:
 
 
 def write(run: Results, path: str | os.PathLike[str], *, time: float | None = None, overwrite: bool = False) -> pathlib.Path:
-    """Writes the solution as a file for `compas.json_load`."""
-    path = pathlib.Path(path)
-    try:
-        with open(path, "w" if overwrite else "x", encoding="utf-8") as file:
-            json.dump(solution(run, time), file, indent=1)
-    except OSError as error:
-        raise FileError(f"{path}: {error.strerror}") from error
-    return path
+    """Writes the solution as a file for `compas.json_load`. overwrite: replace an earlier solution. Raises FileError."""
+    return outputs.write(path, json.dumps(solution(run, time), indent=1), outputs.SOLUTION, overwrite=overwrite)
 
 
 def _stone(tag: str) -> str:

@@ -43,7 +43,7 @@ def view(case: "Model | Case | Path", path: Path, *, view: str = "corner", overw
 
     Returns the whole path. A refused model is shown with its faults in red, and raises.
     """
-    to = pathlib.Path(path).resolve()
+    to = pathlib.Path(path).absolute()  # not resolve(): the program refuses to write through a link
     words = ["--still", to, "--view", view] if to.suffix == ".png" else ["-o", to]
     _with_file(case, lambda file: commands.call("view", file, *words, *_flag("--overwrite", overwrite)))
     return to
@@ -185,7 +185,7 @@ def _folder(run: Any) -> Path:
 
 
 def _whole(path: Path | None) -> pathlib.Path | None:
-    return None if path is None else pathlib.Path(path).resolve()
+    return None if path is None else pathlib.Path(path).absolute()
 
 
 def _option(name: str, value: Any) -> list[Word]:

@@ -7,13 +7,13 @@ import os
 import pathlib
 import re
 import tempfile
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from . import bars, commands, functions, toml
+from . import bars, commands, functions, outputs, toml
 from .answers import Checked, Limit, Modes
 from .commands import Progress, absolute_if_file
-from .errors import FileError, error_of
+from .errors import error_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -166,14 +166,8 @@ class Model:
         return toml.document(self.case)
 
     def write(self, path: Path, *, overwrite: bool = False) -> pathlib.Path:
-        """Writes the case file, with absolute paths to its files. Raises FileError if the file exists and may not be replaced."""
-        path = pathlib.Path(path)
-        try:
-            with open(path, "w" if overwrite else "x", encoding="utf-8") as file:
-                file.write(self.text())
-        except OSError as error:
-            raise FileError(f"{path}: {error.strerror}") from error
-        return path
+        """Writes the case file, with absolute paths to its files. overwrite: replace a case file, but none that this one includes. Raises FileError."""
+        return outputs.write(path, self.text(), outputs.CASE, overwrite=overwrite, inputs=_files_in(self.case))
 
     def check(self, *, draw: Path | None = None, overwrite: bool = False) -> Checked:
         """Builds the model without a run: counts, masses, step; see functions.check. `describe` has it in words."""
@@ -261,6 +255,18 @@ def _from_anywhere(path: str, value: Any) -> Any:
     if isinstance(value, (list, tuple)):
         return [_from_anywhere(path, v) for v in value]
     return absolute_if_file(value) if path in FILES and isinstance(value, (str, os.PathLike)) else value
+
+
+def _files_in(value: Any, path: str = "") -> Iterator[str]:
+    """The absolute paths that a case names."""
+    if isinstance(value, Mapping):
+        for key, inner in value.items():
+            yield from _files_in(inner, f"{path}.{key}" if path else str(key))
+    elif isinstance(value, (list, tuple)):
+        for inner in value:
+            yield from _files_in(inner, path)
+    elif path in FILES and isinstance(value, str) and os.path.isabs(value):
+        yield value
 
 
 def _row(values: "ArrayLike") -> list[float]:

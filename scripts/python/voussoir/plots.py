@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Figures of runs, one call each. They need matplotlib. Each returns the figure, which `save` writes, or a notebook shows."""
 
+import io
 import math
 import os
 import pathlib
@@ -16,9 +17,11 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullFormatter
 from numpy.typing import NDArray
 
+from . import outputs
 from .bars import in_notebook
 from .errors import FileError, VoussoirError
 from .results import Array, Results
+from .texts import shown
 
 # Okabe and Ito's colours, which colour-blind readers can tell apart, and dashes that survive a black and white print. The report page has the
 # same ones for the same things (scripts/report/src/style.css); their vermilion is left out, as red is for cracks in all pictures.
@@ -71,15 +74,19 @@ def time_axis(axes: Axes, until: float | None, ends: Sequence[float]) -> None:
     axes.set(xlabel="time, s", xlim=(0.0, until or max(*ends, 0.01)))
 
 
-def save(figure: Figure, path: str | os.PathLike[str]) -> None:
-    """Writes a .png, .pdf or .svg, the same bytes for the same figure. Raises FileError."""
+def save(figure: Figure, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
+    """Writes a .png, .pdf or .svg, the same bytes for the same figure. overwrite: replace a figure of the same kind. Raises FileError."""
+    suffix, picture = pathlib.Path(path).suffix.lower(), io.BytesIO()
+    if suffix not in outputs.FIGURES:
+        raise FileError(f"{shown(path)}: wanted a name that ends in {', '.join(outputs.FIGURES)}")
     try:
         with matplotlib.rc_context(LOOK):
             figure.tight_layout()
-            stable = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}.get(pathlib.Path(path).suffix, None)
-            figure.savefig(path, dpi=200, metadata=stable)
+            stable = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}.get(suffix)
+            figure.savefig(picture, format=suffix[1:], dpi=200, metadata=stable)
     except (OSError, ValueError) as error:
-        raise FileError(f"{path}: {error}") from error
+        raise FileError(f"{shown(path)}: {error}") from error
+    outputs.write(path, picture.getvalue(), outputs.FIGURES[suffix], overwrite=overwrite)
 
 
 def curve(run: Results, name: str, quantity: str) -> tuple[Array, Array]:

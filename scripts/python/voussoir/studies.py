@@ -4,6 +4,7 @@
 
 import concurrent.futures
 import csv
+import io
 import itertools
 import os
 import pathlib
@@ -12,11 +13,12 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
-from . import bars
+from . import bars, outputs
 from .errors import FileError, InputError, NumericalFailure, Stopped
 from .model import Model
 from .results import Results
 from .runs import Run
+from .texts import shown
 
 if TYPE_CHECKING:
     import pandas
@@ -32,7 +34,7 @@ class Study:
 
     study = voussoir.Study("results/heights", wall, height=[2.0, 2.4], mortar=["weak", "strong"])
     study.run(until=6.0, workers=2)      # again after Ctrl-C or a kill: the same call goes on
-    study.write("heights.csv")
+    study.write("heights.csv", overwrite=True)
     """
 
     def __init__(self, folder: str | os.PathLike[str], build: Callable[..., Model], **parameters: Sequence[Any]) -> None:
@@ -62,7 +64,7 @@ class Study:
             self._refuse_other(name, model.text())
             if not (self.folder / name / "run.h5").exists():
                 model.check()
-        self.folder.mkdir(parents=True, exist_ok=True)
+        _make(self.folder)
         pool = concurrent.futures.ThreadPoolExecutor(workers)
         stop: list[bool] = []
         bar = bars.Bar(self.folder.name) if bars.in_notebook() and not quiet else None
@@ -101,10 +103,11 @@ class Study:
             if any(folder.glob("checkpoint-*.h5")):
                 Run(folder).resume(threads=threads, progress=look)
                 return
-            _write(self.folder / f"{name}.toml", model.text())
+            outputs.write(self.folder / f"{name}.toml", model.text(), outputs.CASE, overwrite=True)
             model.run(folder, threads=threads, overwrite=True, progress=look)
         except NumericalFailure as error:
-            _write(folder / "failure.txt", f"{error}\n")
+            _make(folder)
+            outputs.write(folder / "failure.txt", f"{error}\n", outputs.NOTE)
 
     def _refuse_other(self, name: str, text: str) -> None:
         before = self.folder / f"{name}.toml"
@@ -152,18 +155,15 @@ class Study:
         from . import pandas_tables
         return pandas_tables.frame_of_rows(self.table())
 
-    def write(self, path: str | os.PathLike[str]) -> pathlib.Path:
-        """Writes the table as CSV, replacing an existing file."""
+    def write(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> pathlib.Path:
+        """Writes the table as CSV. overwrite: replace a table. Raises FileError."""
         rows = self.table()
         names = list(dict.fromkeys(key for row in rows for key in row))
-        try:
-            with open(path, "w", newline="", encoding="utf-8") as file:
-                writer = csv.DictWriter(file, names, lineterminator="\n")
-                writer.writeheader()
-                writer.writerows(rows)
-        except OSError as error:
-            raise FileError(f"{path}: {error.strerror}") from error
-        return pathlib.Path(path)
+        text = io.StringIO()
+        writer = csv.DictWriter(text, names, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+        return outputs.write(path, text.getvalue(), outputs.TABLE, overwrite=overwrite)
 
 
 def _short(value: Any) -> str:
@@ -177,12 +177,8 @@ def _raise_if(stop: list[bool]) -> None:
         raise Stopped("the study was stopped; the same call goes on")
 
 
-def _write(path: pathlib.Path, text: str) -> None:
-    """Writes a complete file, or none."""
-    temporary = path.with_name(path.name + ".tmp")
+def _make(folder: pathlib.Path) -> None:
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        temporary.write_text(text, encoding="utf-8")
-        os.replace(temporary, path)
-    except OSError as error:
-        raise FileError(f"{path}: {error.strerror}") from error
+        folder.mkdir(parents=True, exist_ok=True)
+    except (OSError, ValueError) as error:
+        raise FileError(f"{shown(folder)}: cannot be made: {getattr(error, 'strerror', error)}") from error
