@@ -12,6 +12,7 @@ import sys
 import textwrap
 import time
 import warnings
+from unittest import mock
 
 import numpy as np
 
@@ -106,7 +107,8 @@ class Running(InAFolder):
                 if (folder / "run.h5").exists() and parts > last and len(opened) < 20:
                     last = parts
                     run = voussoir.Run(folder)
-                    opened.append((run, len(run.damage._dataset("bonded"))))  # opened now, read after the end
+                    damage = run.damage
+                    opened.append((run, damage, len(damage._dataset("bonded"))))  # taken now, read after the end
                     states.add(run.state)
                     for time in self.rows_or_error(run.energy):
                         self.assertFalse(np.isnan(time).any())
@@ -114,8 +116,8 @@ class Running(InAFolder):
             self.assertIn("goes on", states)
             self.assertLessEqual(states, {"goes on", "finished"})
             errors = 0
-            for run, rows in opened:
-                found = self.rows_or_error(run.energy, run.damage)
+            for _, damage, rows in opened:
+                found = self.rows_or_error(damage)
                 errors += not found
                 for column in found:
                     self.assertEqual(len(column), len(found[0]))
@@ -124,10 +126,59 @@ class Running(InAFolder):
                 if rows and found:
                     self.assertEqual(len(found[-1]), rows)
             self.assertGreater(errors, 0)  # some were open with parts that are gone now
-            for run, _ in opened:
-                run.refresh()
-            self.assertEqual({run.state for run, _ in opened}, {"finished"})
-            self.assertEqual({len(run.energy.time) for run, _ in opened}, {len(voussoir.Run(folder).energy.time)})
+            self.assertEqual({run.state for run, _, _ in opened}, {"finished"})
+            self.assertEqual({len(run.energy.time) for run, _, _ in opened}, {len(voussoir.Run(folder).energy.time)})
+
+    def test_a_run_that_ended_since_it_was_opened_is_read_as_it_is_now(self):
+        folder = self.killed(look=False)
+        with self.assertWarnsRegex(voussoir.ProgramWarning, "stopped or killed"):
+            run = voussoir.Run(folder)
+            self.assertEqual((run.state, run.finished, bool(run.file["summary"].attrs["finished"])), ("stopped", False, False))
+        energy, frame, frames, count = run.energy, run.frames[0], run.frames, len(run.frames)
+        first, rows = (np.asarray(frame.displacement), len(energy._dataset("time")))
+        before = shutil.copy(folder / "run.h5", self.folder / "before.h5")
+        subprocess.run([voussoir.program(), "resume", folder, "-j", "1", "--quiet"], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            now = voussoir.Run(folder)
+            self.assertEqual((run.state, run.finished, run.missing_parts), ("finished", True, []))
+            self.assertIn("damage_grade", run.summary)
+            self.assertEqual(repr((run.summary, run.provenance)), repr((now.summary, now.provenance)))  # some are NaN
+            self.assertGreater(len(run.frames), count)
+            self.assertEqual({len(frames), len(run.frames), len(run.frames.time)}, {len(now.frames)})
+            self.assertEqual(run.frames[-1].time, now.frames[-1].time)
+            self.assertTrue(run.file["summary"].attrs["finished"])
+            for taken in (lambda: energy.time, lambda: frame.displacement):  # of the time when they were taken, or an error
+                try:
+                    self.assertIn(len(taken()), (rows, len(first)))
+                except voussoir.FileError as error:
+                    self.assertRegex(str(error), r"parts/\d+\.h5.*(is missing|is not the part)")
+        energy = run.energy
+        run.close()
+        with self.assertRaisesRegex(voussoir.FileError, "take it from the run again"):
+            _ = energy.time
+
+        # It ends between the look at run.h5, which is then the one of before, and the look at the lock.
+        after = shutil.copy(folder / "run.h5", self.folder / "after.h5")
+        for ask, wanted in ((lambda r: r.state, "finished"), (lambda r: r.missing_parts, [])):
+            shutil.copy(before, self.folder / "moved.h5")
+            os.replace(self.folder / "moved.h5", folder / "run.h5")
+            run, looked = voussoir.Run(folder), []
+
+            def ends(real):
+                def look(file):
+                    found = real(file)
+                    if not looked:
+                        looked.append(found)
+                        shutil.copy(after, self.folder / "moved.h5")
+                        os.replace(self.folder / "moved.h5", folder / "run.h5")
+                    return found
+                return look
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                with mock.patch("voussoir.results.state_of", ends(voussoir.results.state_of)):
+                    self.assertEqual(ask(run), wanted)
+            self.assertEqual(looked[0][0], "stopped")
 
     def parts_of(self, folder):
         """Parts of the run so far; the program may take the folder of parts away at any moment."""
@@ -165,7 +216,7 @@ class Running(InAFolder):
         shutil.copy(run / "parts/0000.h5", copy / "parts")
         self.assertEqual(float(voussoir.Run(copy).frames[0].time), 0.0)  # its rows are there
 
-    def killed(self):
+    def killed(self, look=True):
         case, folder = blocks(LONG).write(self.folder / "blocks.toml"), self.folder / "run"
         child = subprocess.Popen([voussoir.program(), "run", case, "-o", folder, "-j", "1", "--quiet", "--checkpoint-every", "0.1"],
                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -173,6 +224,8 @@ class Running(InAFolder):
             time.sleep(0.01)
         child.kill()
         child.wait()
+        if not look:
+            return folder
         self.assertEqual(voussoir.Run(folder).state, "stopped")
         assess = subprocess.run([voussoir.program(), "assess", folder], capture_output=True, text=True, check=False)
         self.assertRegex(assess.stderr, "not finished: rows written until 20.*; the run was stopped or killed")

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from . import rules
 from .errors import FileError, ProgramWarning, VoussoirError
 from .sealed import PagedFile, take_fault
+from .texts import shown
 
 SCHEMA, OLDEST_SCHEMA, SEALED_SCHEMA = 6, 4, 6  # the newest and the oldest layout of run.h5 that is known; the first whose files are sealed
 _PART = re.compile(r"parts/\d+\.h5")
@@ -47,18 +48,30 @@ def reading(what: str) -> Iterator[None]:
 
 
 def path_of(thing: Any) -> pathlib.Path:
-    """The path of the file that a group or dataset is in."""
-    file = thing.file
-    name = str(file.filename)
+    """The path of the file that a group or dataset is in. Raises FileError where that was closed."""
+    try:
+        file = thing.file
+        name = str(file.filename)
+    except (ValueError, RuntimeError, AttributeError) as error:
+        raise FileError("the run.h5 that this was taken from was closed since; take it from the run again") from error
     return pathlib.Path(name.encode("ascii").decode("unicode_escape") if file.driver == "fileobj" else name)
+
+
+def stamp_of(path: str | os.PathLike[str]) -> tuple[int, ...] | None:
+    """What tells the run.h5 of a run, given as for open_paged, from another one in its place; None: there is none."""
+    for name in (os.path.join(path, "run.h5"), path):
+        with contextlib.suppress(OSError, ValueError):
+            found = os.stat(name)
+            return found.st_dev, found.st_ino, found.st_size, found.st_mtime_ns
+    return None
 
 
 def open_paged(path: str | os.PathLike[str]) -> h5py.File:
     """Opens the run.h5 of a run, given as its folder or as the file: what is read later is checked then. Raises FileError."""
     path = pathlib.Path(path)
-    path = path / "run.h5" if path.is_dir() else path
-    if not path.exists():
-        raise FileError(f"{path}: no such file; wanted the folder of a run, or its run.h5")
+    path = path / "run.h5" if os.path.isdir(path) else path
+    if not os.path.exists(path):  # false, too, of what cannot be a path
+        raise FileError(f"{shown(path)}: no such file; wanted the folder of a run, or its run.h5")
     file, pages = _open(path)
     try:
         _check_layout(file, path, pages.seal is not None)
@@ -258,7 +271,7 @@ def _piece(dataset: h5py.Dataset, part: str, first: int, last: int) -> NDArray[A
         named = parts_of(dataset.file)
         gone = f" ({len(missing_parts(dataset.file))} of {len(named)} parts are)" if named else ""
         raise FileError(f"{path}: is missing{gone}. Rows of a run that has not ended are in parts/ beside run.h5, and a copy needs them; "
-                        "if the run has gone on or ended since, refresh() reads it again")
+                        "if the run has gone on or ended since, take this table from the run again")
     file, pages = _open(path)
     try:
         if pages.seal is None and int(dataset.file.attrs["schema_version"]) >= SEALED_SCHEMA:

@@ -9,8 +9,8 @@ import contextlib
 import os
 import pathlib
 import warnings
-from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any, TypeVar
 
 try:
     import h5py
@@ -22,13 +22,16 @@ from numpy.typing import NDArray
 from . import toml_reading
 from .capacity import Capacity
 from .errors import FileError, ProgramWarning, VoussoirError
-from .reading import NoData, missing_parts, open_paged, open_results, parts_of, path_of, reading, rows_of, state_of
+from .reading import NoData, missing_parts, open_paged, open_results, parts_of, path_of, reading, rows_of, stamp_of, state_of
 
 __all__ = ["Array", "Frame", "Frames", "History", "Results", "Table", "array_of", "displacement_of", "open_results", "origin_of", "rotation_matrices",
            "rows_of"]
 
 if TYPE_CHECKING:
     import pandas
+
+
+T = TypeVar("T")
 
 
 class Array(np.ndarray[Any, Any]):
@@ -170,10 +173,12 @@ class Frame:
     n x 4 (w, x, y, z); `broken` n: share of bonds, 0 to 1."""
 
     def __init__(self, results: "Results", row: int) -> None:
-        self._results, self._group, self.row = results, results._at("frames"), row
+        self._path, self._file, self.row = results._path, results._checked, row  # of one file, whatever comes in its place
+        with self._reading():
+            self._group = self._file["frames"]
 
     def _reading(self) -> contextlib.AbstractContextManager[None]:
-        return reading(f"{self._results._path}, frame {self.row}")
+        return reading(f"{self._path}, frame {self.row}")
 
     @property
     def time(self) -> float:
@@ -183,12 +188,12 @@ class Frame:
     @property
     def displacement(self) -> Array:
         with self._reading():
-            return Array(displacement_of(self._results._checked, self.row), "m", "displacement", "centroids of all elements from position0")
+            return Array(displacement_of(self._file, self.row), "m", "displacement", "centroids of all elements from position0")
 
     @property
     def position(self) -> Array:
         with self._reading():
-            return Array(np.asarray(self._results.elements.position0) + np.asarray(self.displacement), "m", "position", "centroids of all elements")
+            return Array(np.asarray(Table(self._file["model/element"])["position0"]) + np.asarray(self.displacement), "m", "position", "centroids of all elements")
 
     @property
     def quaternion(self) -> Array:
@@ -206,15 +211,15 @@ class Frame:
             return self._placed()
 
     def _placed(self) -> NDArray[Any]:
-        model = self._results._checked["model"]
+        model = self._file["model"]
         first = rows_of(model["element/first_vertex"])
         corners, start = rows_of(model["vertex"]), rows_of(model["element/position0"])
         if corners.shape != (len(corners), 3) or start.shape != (len(first), 3) or np.shape(self.quaternion) != (len(first), 4):
-            raise FileError(f"{self._results._path}: /model and /frames do not fit together")
+            raise FileError(f"{self._path}: /model and /frames do not fit together")
         owner = np.searchsorted(first, np.arange(len(corners)), side="right") - 1
         position, rotation = start + np.asarray(self.displacement), rotation_matrices(self.quaternion)
         placed: NDArray[Any] = position[owner] + np.einsum("vij,vj->vi", rotation[owner], corners - start[owner])
-        return placed + self._results.origin
+        return placed + origin_of(self._file)
 
 
 def rotation_matrices(quaternions: NDArray[Any]) -> NDArray[Any]:
@@ -257,49 +262,66 @@ class Frames:
 
 
 class Results:
-    """Contents of run.h5. Data are read when used."""
+    """Contents of run.h5. Data are read when used, of run.h5 as it is then, also when a run that goes on has written it anew. A table, a history or
+    a frame stays of the time when it was taken; where its rows are gone since, it raises FileError."""
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:
         """folder: that of a run, or its run.h5."""
         path = pathlib.Path(folder)
         self.folder = path.parent if path.name == "run.h5" else path
         self._path, self._paged, self._file = path, None, None
+        self._stamp: tuple[int, ...] | None = None  # of the file that is open as _paged
+        self._file_stamp: tuple[int, ...] | None = None
         self._tells = True  # warns of a run that is not at its end
+        self._told: Any = None  # of what it has warned
 
     @property
     def file(self) -> h5py.File:
         """The HDF5 file itself, for data without a method here: all of it is checked first. Of rows in parts that are gone HDF5 makes NaN."""
-        if self._file is None:
-            self._file = open_results(self._path)
+        now = stamp_of(self._path)
+        if self._file is None or now not in (None, self._file_stamp):
+            self._file, self._file_stamp = open_results(self._path), now
         return self._file
 
     @property
     def _checked(self) -> h5py.File:
-        """The file, of which what is read is checked."""
-        if self._paged is None:
-            self._paged = open_paged(self._path)
+        """The file as it is now, of which what is read is checked. Tables that were taken from one of before keep that open."""
+        now = stamp_of(self._path)
+        if self._paged is None or now not in (None, self._stamp):
+            self._paged, self._stamp = open_paged(self._path), now
             if self._tells:
                 self._tell()
         return self._paged
 
+    def _of_now(self, ask: Callable[[h5py.File], T]) -> T:
+        """What it says of the file and of what is beside it. A run that ends writes its file first: what is beside an older one says nothing."""
+        while True:
+            file = self._checked
+            found = ask(file)
+            if self._checked is file:
+                return found
+
     def _tell(self) -> None:
-        path = path_of(self._paged)
-        if words := state_of(self._paged)[1]:
+        path, (state, words), missing = path_of(self._paged), state_of(self._paged), missing_parts(self._paged)
+        if (state, bool(missing)) == self._told or stamp_of(self._path) != self._stamp:  # told; written meanwhile: told when that is opened
+            return
+        self._told = state, bool(missing)
+        if words:
             warnings.warn(f"{path}: not finished: {words}", ProgramWarning, stacklevel=4)
-        if missing := self.missing_parts:
+        if missing:
             warnings.warn(f"{path}: {len(missing)} of {len(parts_of(self._paged))} parts are missing beside it, the first is {missing[0]}; their rows "
                           "cannot be read", ProgramWarning, stacklevel=4)
 
     @property
     def missing_parts(self) -> list[str]:
         """Parts of an unfinished run that are not beside run.h5, as in a copy without them: reading their rows is a FileError."""
-        return missing_parts(self._checked)
+        return self._of_now(missing_parts)
 
     @property
     def state(self) -> str:
         """finished; lost: to a numerical failure; goes on: a process works on it; stopped, also by a kill: none does; unknown: a copy of an
-        unfinished run. As when it was opened or refreshed, but for what another process does now."""
-        return state_of(self._checked)[0]
+        unfinished run. As it is now."""
+        return self._of_now(state_of)[0]
 
     @property
     def origin(self) -> NDArray[Any]:
@@ -308,14 +330,16 @@ class Results:
             return origin_of(self._checked)
 
     def refresh(self) -> None:
-        """Makes rows available that an unfinished run has written since."""
+        """Closes run.h5, and with it all tables, histories and frames that were taken from it; it is opened again when it is used. What an
+        unfinished run has written since is seen also without this."""
         self.close()
 
     def close(self) -> None:
+        """As `refresh`."""
         for file in (self._file, self._paged):
             if file is not None:
                 file.close()
-        self._file = self._paged = None
+        self._file = self._paged = self._told = None
 
     def _table(self, name: str) -> Table:
         return Table(self._at(name))
@@ -335,7 +359,9 @@ class Results:
         """Motion of a followed element, by its name in [[output.history]]."""
         if name not in self.histories:
             raise VoussoirError(f"{self.folder}: no history '{name}'; there are: {', '.join(self.histories) or 'none'}")
-        return History(self._at(f"history/{name}"), self._at("history/time"))
+        both = self._at("history")
+        with reading(f"{self._path}, history"):
+            return History(both[name], both["time"])
 
     @property
     def energy(self) -> Table:
@@ -370,7 +396,8 @@ class Results:
     @property
     def capacity(self) -> Capacity:
         """Results of a quasi-static analysis (io/MEASURES.md, Capacity), by name; empty until the run has ended or stopped."""
-        attributes = self._at("capacity").attrs if "capacity" in self._checked else {}
+        file = self._checked
+        attributes = file["capacity"].attrs if "capacity" in file else {}
         return Capacity(_plain(attributes), str(attributes.get("units", "")), self)
 
     @property
@@ -424,7 +451,8 @@ class Results:
     def loaded(self) -> History:
         """Loads over time: `time` (s), `force` (N) and `displacement` (m, of the place where a load acts), rows x loads x 3."""
         with reading(f"{self._path}, loaded"):
-            return History(self._at("loaded"), self._at("history/time"))
+            file = self._checked
+            return History(file["loaded"], file["history/time"])
 
     @property
     def provenance(self) -> dict[str, Any]:
