@@ -16,9 +16,10 @@ import threading
 from collections.abc import Callable
 from typing import Any
 
-from .errors import ProgramNotFound, Stopped, error_of
+from .errors import Fault, FileError, InputError, ProgramNotFound, Stopped, error_of
 from .messages import Progress, Said, said_in
 from .program import program
+from .texts import odd_path, shown
 
 Word = str | os.PathLike[str] | float  # of the command line
 
@@ -34,6 +35,7 @@ def call(*words: Word, folder: str | os.PathLike[str] | None = None) -> str:
 def told(*words: Word, folder: str | os.PathLike[str] | None = None, codes: tuple[int, ...] = (0,)) -> tuple[str, int, Said]:
     """As `call`; returns also the exit code and the messages. codes: those that are no failure."""
     command = _command(words)
+    _refuse_no_folder(folder)
     try:
         done = subprocess.run(command, cwd=folder, capture_output=True, text=True, encoding="utf-8", errors="replace", check=False)
     except OSError as error:
@@ -175,7 +177,18 @@ def _stopped(said: Said) -> Stopped:
 
 
 def _command(words: tuple[Word, ...]) -> list[str]:
-    return [program(), "--messages", "json", *(os.fspath(word) if isinstance(word, os.PathLike) else str(word) for word in words)]
+    texts = [os.fspath(word) if isinstance(word, os.PathLike) else str(word) for word in words]
+    for before, text in zip(["", *texts], texts):
+        if odd := odd_path(text):
+            option = before if before.startswith("-") and before != "--" else None
+            said = f"{f'{option}: ' if option else ''}{shown(text)}: {odd}"
+            raise InputError(said, [Fault(said, key=option, value=shown(text))])
+    return [program(), "--messages", "json", *texts]
+
+
+def _refuse_no_folder(folder: str | os.PathLike[str] | None) -> None:
+    if folder is not None and not os.path.isdir(folder):
+        raise FileError(f"{shown(folder)}: is no folder; wanted one for the program to run in")
 
 
 def _not_found(name: str, error: OSError) -> ProgramNotFound:
@@ -197,7 +210,7 @@ def absolute_if_file(path: str | os.PathLike[str]) -> str:
 
     FILE#COMPONENT, for a motion, exists if FILE does.
     """
-    if pathlib.Path(path).exists():
+    if os.path.exists(path):  # false, too, of what cannot be a path
         return str(pathlib.Path(path).resolve())
     file, mark, component = str(path).rpartition("#")
-    return f"{pathlib.Path(file).resolve()}#{component}" if mark and pathlib.Path(file).is_file() else str(path)
+    return f"{pathlib.Path(file).resolve()}#{component}" if mark and os.path.isfile(file) else str(path)

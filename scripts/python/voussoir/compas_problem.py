@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from .errors import FileError, InputError
+from .texts import odd_path, shown
 
 Json = dict[str, Any]
 
@@ -45,7 +46,7 @@ class Problem:
         try:
             self.root: Any = json.loads(self.path.read_text(encoding="utf-8"))
         except (OSError, ValueError) as error:
-            raise FileError(f"{self.path}: {error}") from error
+            raise FileError(f"{shown(self.path)}: {odd_path(self.path) or error}") from error
         self.conditions: Json = next(of_type(self.root, "BoundaryConditions"), {})
         self.material_of_block: dict[str, Json] = {}  # by graph node
         self._names: dict[str, str] = {}

@@ -144,7 +144,7 @@ def study(file: Path, folder: Path | None = None, *, cores: int | None = None, c
     except KeyboardInterrupt as interrupt:
         raise Stopped("the study was stopped; its runs are saved, and the same call goes on") from interrupt
     rows: tuple[dict[str, str], ...] = ()
-    if (to / "table.csv").exists() and not check:
+    if os.path.exists(to / "table.csv") and not check:
         with open(to / "table.csv", newline="", encoding="utf-8") as lines:
             rows = tuple(csv.DictReader(line for line in lines if not line.startswith("#")))
     return StudyTable(to, code == 0 and not _unfinished(rows), rows)

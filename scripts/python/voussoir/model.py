@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from . import bars, commands, functions, outputs, toml
 from .answers import Checked, Limit, Modes
 from .commands import Progress, absolute_if_file
-from .errors import error_of
+from .errors import Fault, InputError, error_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -162,8 +162,11 @@ class Model:
     # What the program does with it
 
     def text(self) -> str:
-        """The text of the case file."""
-        return toml.document(self.case)
+        """The text of the case file. Raises InputError with the key of a number or text that no file can hold."""
+        try:
+            return toml.document(self.case)
+        except toml.NotWritable as error:
+            raise InputError(str(error), [Fault(str(error), key=error.key)]) from error
 
     def write(self, path: Path, *, overwrite: bool = False) -> pathlib.Path:
         """Writes the case file, with absolute paths to its files. overwrite: replace a case file, but none that this one includes. Raises FileError."""

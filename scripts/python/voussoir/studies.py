@@ -18,7 +18,7 @@ from .errors import FileError, InputError, NumericalFailure, Stopped
 from .model import Model
 from .results import Results
 from .runs import Run
-from .texts import shown
+from .texts import odd_path, shown
 
 if TYPE_CHECKING:
     import pandas
@@ -62,7 +62,7 @@ class Study:
             if until is not None:
                 model["time.duration"] = until
             self._refuse_other(name, model.text())
-            if not (self.folder / name / "run.h5").exists():
+            if not os.path.exists(self.folder / name / "run.h5"):
                 model.check()
         _make(self.folder)
         pool = concurrent.futures.ThreadPoolExecutor(workers)
@@ -111,15 +111,21 @@ class Study:
 
     def _refuse_other(self, name: str, text: str) -> None:
         before = self.folder / f"{name}.toml"
-        if (self.folder / name / "run.h5").exists() and before.exists() and before.read_text(encoding="utf-8") != text:
+        if not os.path.exists(self.folder / name / "run.h5") or not os.path.exists(before):
+            return
+        try:
+            same = before.read_bytes() == text.encode()
+        except OSError as error:
+            raise FileError(f"{shown(before)}: cannot be read: {error.strerror}") from error
+        if not same:
             raise InputError(f"{self.folder / name}: was run with another model ({before}); remove the folder, or give the study another one")
 
     def status(self, name: str) -> str:
         """Status of each run: done, numerical failure, stopped (can be resumed), to be done."""
         folder = self.folder / name
-        if (folder / "failure.txt").exists():
+        if os.path.exists(folder / "failure.txt"):
             return "numerical failure"
-        if not (folder / "run.h5").exists():
+        if not os.path.exists(folder / "run.h5"):
             return "to be done"
         results = Results(folder)
         results._tells = False
@@ -181,4 +187,4 @@ def _make(folder: pathlib.Path) -> None:
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except (OSError, ValueError) as error:
-        raise FileError(f"{shown(folder)}: cannot be made: {getattr(error, 'strerror', error)}") from error
+        raise FileError(f"{shown(folder)}: cannot be made: {odd_path(folder) or getattr(error, 'strerror', error)}") from error
