@@ -35,15 +35,17 @@ std::string millimetres(double metres) { return text(std::round(1e3 * metres) / 
 }  // namespace
 
 void check_followed_points(const Case& c, const Model& model) {
+  Faults faults;
   for (std::size_t i = 0; i < c.output.history.size(); ++i) {
     const HistoryPoint& h = c.output.history[i];
     const Near near = nearest_box(model, h.point);
     if (near.distance <= near.allowed) continue;
-    throw InputError(indexed_key("output.history", i, "point"),
-                     "(" + quoted(h.name) + ") lies outside the model: the nearest element, " +
+    faults.add({indexed_key("output.history", i, "point"),
+                     quoted(h.name) + " lies outside the model: the nearest element, " +
                          describe(model.blocks[near.element], near.element) + ", is " + millimetres(near.distance) +
-                         " m away; allowed: in an element, or no farther from one than it is long (" + millimetres(near.allowed) + " m)");
+                         " m away; allowed: in an element, or no farther from one than it is long (" + millimetres(near.allowed) + " m)"});
   }
+  faults.raise();
 }
 
 }  // namespace voussoir::cases

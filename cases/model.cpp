@@ -7,7 +7,9 @@
 
 #include "cases/blocks.h"
 #include "cases/case.h"
+#include "cases/followed_points.h"
 #include "cases/house/house.h"
+#include "cases/house/house_ties.h"
 #include "cases/loads/loads.h"
 #include "cases/loose_model.h"
 #include "cases/names.h"
@@ -237,6 +239,7 @@ LaidModel model_of_blocks(const Case& c) {
   faults.attempt([&] { model.contact_friction = contact_friction(c.contact, model.materials); });
   faults.attempt([&] { check_loads(c); });
   if (c.house) faults.attempt([&] { add_house(c, model); });
+  if (c.house) faults.attempt([&] { check_house_ties(*c.house); });
   if (planned) faults.attempt([&] { add_walls(c, laid.walls, model); });
   faults.attempt([&] { add_free_blocks(c, model); });
   faults.attempt([&] { add_stone_blocks(c, model); });
@@ -283,7 +286,11 @@ Model build_model(const Case& c, int threads) {
   assemble(c, threads, model);
   pick_laws(rules, StoneLaws(c, model, rules.default_law()), model);
   model.joint_strength = strength_factors(c.scatter, model);
-  place_ties(c, laid.walls, model);
+  Faults faults;
+  if (!faults.attempt([&] { place_ties(c, laid.walls, model); })) {
+    faults.attempt([&] { check_followed_points(c, model); });
+    faults.raise();
+  }
   return std::move(laid.model);
 }
 

@@ -177,23 +177,31 @@ std::int64_t anchors(const TieBar& bar) {
 }
 
 void add_ties(const Case& c, Model& model) {
-  for (std::size_t i = 0; i < c.ties.size(); ++i) {
-    const Tie& tie = c.ties[i];
+  Faults faults;
+  const auto add = [&](std::size_t i, const Tie& tie) {
     model.ties.push_back(place(c, model, tie, {indexed_key("tie", i, "from"), indexed_key("tie", i, "to")}, indexed_key("tie", i, "")));
     model.tie_bill.push_back({tie.name, 1, anchors(model.ties.back()), norm(tie.to - tie.from), 0.0});
-  }
+  };
+  for (std::size_t i = 0; i < c.ties.size(); ++i) faults.attempt([&] { add(i, c.ties[i]); });
+  faults.raise();
 }
 
 void add_house_ties(const Case& c, double foot, Model& model) {
   std::vector<TieBill> bills(c.house->ties.size());
+  std::vector<bool> failed(c.house->ties.size(), false);  // each is told once
+  Faults faults;
   for (const PlannedTie& planned : house_ties(*c.house, foot)) {
-    const std::string key = indexed_key("house.tie", planned.index, "");
-    TieBar bar = place(c, model, planned.tie, {key, key}, key);
-    TieBill& bill = bills[planned.index];
-    bill.name = c.house->ties[planned.index].bar.name;
-    ++bill.ties, bill.anchors += anchors(bar), bill.length += norm(planned.tie.to - planned.tie.from);
-    model.ties.push_back(std::move(bar));
+    if (failed[planned.index]) continue;
+    failed[planned.index] = !faults.attempt([&] {
+      const std::string key = indexed_key("house.tie", planned.index, "");
+      TieBar bar = place(c, model, planned.tie, {key, key}, key);
+      TieBill& bill = bills[planned.index];
+      bill.name = c.house->ties[planned.index].bar.name;
+      ++bill.ties, bill.anchors += anchors(bar), bill.length += norm(planned.tie.to - planned.tie.from);
+      model.ties.push_back(std::move(bar));
+    });
   }
+  faults.raise();
   model.tie_bill.insert(model.tie_bill.end(), bills.begin(), bills.end());
 }
 
@@ -326,16 +334,6 @@ void check_names(const Case& c, const Model& model) {
   }
 }
 
-}  // namespace
-
-namespace {
-
-std::vector<std::string> names_of(const std::vector<WallFloor>& floors) {
-  std::vector<std::string> names;
-  for (const WallFloor& f : floors) names.push_back(f.name);
-  return names;
-}
-
 void add_roof_ties_between_walls(const Case& c, const WallsPlan& plan, double foot, Model& model) {
   std::vector<TieBill> bills(c.roofs.size());
   for (const PlannedTie& planned : wall_roof_ties(c.walls, plan, c.roofs, foot)) {
@@ -364,18 +362,22 @@ void add_decks_between_walls(const Case& c, const WallsPlan& plan, double foot, 
 
 void place_ties(const Case& c, const WallsPlan& walls, Model& model) {
   const double foot = c.base ? c.base->z : 0.0;
-  add_ties(c, model);
+  Faults faults;
+  faults.attempt([&] { add_ties(c, model); });
   if (c.house) {
-    add_house_ties(c, foot, model);
-    add_beam_anchors(c, beam_anchors(*c.house, foot), "house.floor", floor_names(*c.house), model);
-    add_roof_ties(c, foot, model);
+    faults.attempt([&] { add_house_ties(c, foot, model); });
+    faults.attempt([&] { add_beam_anchors(c, beam_anchors(*c.house, foot), "house.floor", floor_names(*c.house), model); });
+    faults.attempt([&] { add_roof_ties(c, foot, model); });
   }
-  add_beam_anchors(c, wall_beam_anchors(c.walls, walls, c.floors, foot), "floor", names_of(c.floors), model);
-  add_roof_ties_between_walls(c, walls, foot, model);
+  std::vector<std::string> floors;
+  for (const WallFloor& f : c.floors) floors.push_back(f.name);
+  faults.attempt([&] { add_beam_anchors(c, wall_beam_anchors(c.walls, walls, c.floors, foot), "floor", floors, model); });
+  faults.attempt([&] { add_roof_ties_between_walls(c, walls, foot, model); });
   if (c.house) {
-    for (std::size_t i = 0; i < c.house->meshes.size(); ++i) add_mesh(c, i, foot, model);
+    for (std::size_t i = 0; i < c.house->meshes.size(); ++i) faults.attempt([&] { add_mesh(c, i, foot, model); });
     add_decks(c, foot, model);
   }
+  faults.raise();
   add_decks_between_walls(c, walls, foot, model);
   check_names(c, model);
 }

@@ -7,6 +7,7 @@
 
 #include "cases/house/house_parts.h"
 #include "cases/names.h"
+#include "geometry/nth.h"
 
 namespace voussoir::cases {
 namespace {
@@ -20,11 +21,60 @@ struct Rod {
   Vec3 from, to;
 };
 
+/// A point of a wall in axes of the house [m].
+Vec3 in_wall(const HousePlan& plan, const WallPlan& wall, double along, double depth, double height) noexcept {
+  const auto at = [](double v) { return Interval{ticks(v), ticks(v)}; };
+  const HouseBox box = in_house(plan, wall, at(along), at(depth), at(height));
+  return {metres(box.x.low), metres(box.y.low), metres(box.z.low)};
+}
+
+bool is_inner_wall(const House& house, const std::string& name) {
+  return std::ranges::any_of(house.inner_walls, [&](const InnerWall& w) { return w.name == name; });
+}
+
+/// Outer walls that a tie names; all that are built if it names none. \throw InputError for what is no wall
+std::vector<Side> outer_walls(const House& house, const HousePlan& plan, const HouseTie& tie, const std::string& key) {
+  std::vector<std::string> outer = tie.walls;
+  if (tie.kind == HouseTieKind::along) std::erase_if(outer, [&](const std::string& name) { return is_inner_wall(house, name); });
+  if (outer.empty() && !tie.walls.empty()) return {};
+  if (outer.size() == tie.walls.size()) {
+    for (std::size_t i = 0; i < outer.size(); ++i) {
+      if (is_inner_wall(house, outer[i]))
+        throw InputError(key + ".walls[" + std::to_string(i) + "]",
+                         quoted(outer[i]) + " is an inner wall; kind = \"along\" ties one, other kinds join outer walls");
+    }
+    return chosen_walls(plan, outer, key);
+  }
+  std::vector<Side> chosen;  // beside inner walls, so that indices are those of the key
+  for (std::size_t i = 0; i < tie.walls.size(); ++i) {
+    if (is_inner_wall(house, tie.walls[i])) continue;
+    std::vector<std::string> until(tie.walls.begin(), tie.walls.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    std::erase_if(until, [&](const std::string& name) { return is_inner_wall(house, name); });
+    chosen = chosen_walls(plan, until, key);
+  }
+  return chosen;
+}
+
+/// The walls that a tie along walls runs through at a height [m] above their foot: outer ones, then inner ones.
+std::vector<const WallPlan*> walls_along(const House& house, const HousePlan& plan, const HouseTie& tie, const std::vector<Side>& outer,
+                                         double height) {
+  std::vector<const WallPlan*> all;
+  const Tick at = ticks(height);
+  for (const Side side : outer) all.push_back(&plan.wall_at(side, at));
+  for (const WallPlan& wall : plan.walls) {
+    if (wall.inner < 0 || at < wall.height.low || at >= wall.height.high) continue;
+    if (std::ranges::find(tie.walls, nth(house.inner_walls, wall.inner).name) != tie.walls.end()) all.push_back(&wall);
+  }
+  return all;
+}
+
 /// Selects the walls, and makes the rods, of one [[house.tie]].
 class Rods {
  public:
-  Rods(const HousePlan& plan, const HouseTie& tie, std::string key)
-      : plan_(plan), tie_(tie), key_(std::move(key)), walls_(chosen_walls(plan, tie.walls, key_)) {}
+  Rods(const House& house, const HousePlan& plan, const HouseTie& tie, std::string key)
+      : house_(house), plan_(plan), tie_(tie), key_(std::move(key)), walls_(outer_walls(house, plan, tie, key_)) {
+    refuse_heights();
+  }
 
   std::vector<Rod> all() {
     for (const double height : tie_.heights) {
@@ -41,10 +91,22 @@ class Rods {
     return on_wall(plan_, side, along, depth, height);
   }
   [[nodiscard]] double length(Side side) const { return metres(plan_.wall(side).length); }
+  /// Refuses heights above walls and flat roof. Gables rise above the walls.
+  void refuse_heights() const {
+    const bool flat = house_.roof.kind == RoofKind::flat;
+    if (house_.roof.kind != RoofKind::none && !flat) return;
+    const Tick top = plan_.storeys.back().high + (flat ? ticks(house_.roof.beam[1]) : Tick{0});
+    for (std::size_t i = 0; i < tie_.heights.size(); ++i) {
+      if (ticks(tie_.heights[i]) > top)
+        throw InputError(key_ + ".heights[" + std::to_string(i) + "]",
+                         text(tie_.heights[i]) + " m is above the house; at most " + metres_text(top) + " m");
+    }
+  }
   void along(double height) {
-    for (const Side side : walls_) {
-      const double depth = tie_.depth.value_or(0.5 * metres(plan_.wall_at(side, ticks(height)).thickness));
-      rods_.push_back({point(side, 0.0, depth, height), point(side, length(side), depth, height)});
+    for (const WallPlan* wall : walls_along(house_, plan_, tie_, walls_, height)) {
+      const double depth = tie_.depth.value_or(0.5 * metres(wall->thickness));
+      const auto end = [&](Tick along) { return in_wall(plan_, *wall, metres(along), depth, height); };
+      rods_.push_back({end(wall->from), end(wall->from + wall->length)});
     }
   }
   void across(double height) {
@@ -79,6 +141,7 @@ class Rods {
     }
   }
 
+  const House& house_;
   const HousePlan& plan_;
   const HouseTie& tie_;
   std::string key_;
@@ -106,9 +169,17 @@ std::vector<Side> chosen_walls(const HousePlan& plan, const std::vector<std::str
 }
 
 Vec3 on_wall(const HousePlan& plan, Side side, double along, double depth, double height) noexcept {
-  const auto at = [](double v) { return Interval{ticks(v), ticks(v)}; };
-  const HouseBox box = in_house(plan, plan.wall(side), at(along), at(depth), at(height));
-  return {metres(box.x.low), metres(box.y.low), metres(box.z.low)};
+  return in_wall(plan, plan.wall(side), along, depth, height);
+}
+
+void check_house_ties(const House& house) {
+  if (house.ties.empty()) return;
+  Faults of_house, faults;
+  HousePlan plan;
+  if (!of_house.attempt([&] { plan = plan_as_far_as_possible(house); })) return;  // told where the house is built
+  for (std::size_t k = 0; k < house.ties.size(); ++k)
+    faults.attempt([&] { Rods(house, plan, house.ties[k], indexed_key("house.tie", k, "")); });
+  faults.raise();
 }
 
 std::vector<PlannedTie> house_ties(const House& house, double foot) {
@@ -118,7 +189,7 @@ std::vector<PlannedTie> house_ties(const House& house, double foot) {
   for (std::size_t k = 0; k < house.ties.size(); ++k) {
     const HouseTie& tie = house.ties[k];
     const std::string key = indexed_key("house.tie", k, "");
-    const std::vector<Rod> rods = Rods(plan, tie, key).all();
+    const std::vector<Rod> rods = Rods(house, plan, tie, key).all();
     const std::size_t first = all.size();
     for (int j = 0; j < house.copies[1]; ++j) {
       for (int i = 0; i < house.copies[0]; ++i) {
@@ -140,24 +211,24 @@ std::vector<InputError> rods_in_openings(const House& house) {
   std::vector<InputError> found;
   if (house.ties.empty()) return found;
   const HousePlan plan = plan_house(house);
-  const auto look = [&](const HouseTie& tie, const std::string& key, Side side, double height) {
+  const auto look = [&](const HouseTie& tie, const std::string& key, const WallPlan& wall, double height) {
     const Tick at = ticks(height);
-    const WallPlan& wall = plan.wall_at(side, at);
     if (tie.depth.value_or(0.0) >= metres(wall.thickness)) return;  // inside the room
     for (const Hole& h : wall.holes) {
       if (h.lintel || h.floor >= 0 || h.ground >= 0) continue;
       const Tick top = h.arch ? h.height.low + ticks(house.openings[h.opening].arch->rise) : h.height.high;  // upper edge of the open area
       if (h.height.low < at && at < top)
-        found.emplace_back(key + ".heights", "the rod along the " + std::string(name(side)) + " wall at " + text(height) +
-                                                 " m runs through " + indexed_key("house.opening", h.opening, ""));
+        found.emplace_back(key + ".heights", "the rod along the " + wall_name(house, wall) + " at " + text(height) + " m runs through " +
+                                                 indexed_key("house.opening", h.opening, ""));
     }
   };
   for (std::size_t k = 0; k < house.ties.size(); ++k) {
     const HouseTie& tie = house.ties[k];
     if (tie.kind != HouseTieKind::along) continue;
     const std::string key = indexed_key("house.tie", k, "");
-    for (const Side side : chosen_walls(plan, tie.walls, key)) {
-      for (const double height : tie.heights) look(tie, key, side, height);
+    const std::vector<Side> outer = outer_walls(house, plan, tie, key);
+    for (const double height : tie.heights) {
+      for (const WallPlan* wall : walls_along(house, plan, tie, outer, height)) look(tie, key, *wall, height);
     }
   }
   return found;

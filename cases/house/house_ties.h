@@ -19,9 +19,13 @@ struct PlannedTie {
   std::size_t index = 0;
 };
 
+/// Tells what the ties of a house name that is not there, and heights above its walls, all at once; nothing of a house that cannot be laid
+/// out. \throw InputError, InputErrors
+void check_house_ties(const House& house);
+
 /// The rods of `house.ties` in all copies of the house.
 ///
-/// along: through a wall from end to end, so that its plates press on the outer faces of the walls that it meets; across: from the outer
+/// along: through a wall, an inner one too, from end to end, so that its plates press on the outer faces of the walls that it meets; across: from the outer
 /// face of a wall to that of the opposite wall; corner: from the outer face of a wall to that of the next, across the corner between the
 /// two.
 /// \param foot  m, height of the walls' foot \throw InputError with the key at fault

@@ -174,7 +174,7 @@ void check_motion(const Motion& s, const RuleCheck& check) {
     return check.fault("direction", "says where L, T, V go, but files are given for x, y, z; leave it out, or give files for L, T, V");
   if (s.intensity && s.scale != Motion{}.scale && s.scale[0] == s.scale[1] && s.scale[1] == s.scale[2])
     return check.fault("scale",
-                       "has no effect beside motion.intensity, for which all components are multiplied by one factor; leave one of them "
+                       "has no effect beside motion.intensity, by which each component gets its factor; leave one of them "
                        "out. motion.intensity.level says how strong the motion is; in a study the levels of [intensity], in place of "
                        "scales");
   if (s.treatment.to && *s.treatment.to <= s.treatment.from.value_or(0.0))
@@ -317,7 +317,7 @@ Table<Output> output_table() {
       "what is written, and how often",
       {value<S>("history_interval", &S::history_interval, "s", above(0.0).usually(usual::kInterval),
                 "between rows of histories; time.step = \"auto\" takes a step that divides it"),
-       auto_or_number<S>("frame_interval", &S::frame_interval, "s", above(0.0).possibly(usual::kInterval.least, 1e9),
+       auto_or_number<S>("frame_interval", &S::frame_interval, "s", above(0.0).usually(usual::kFrames),
                          "between frames of the whole model; auto: 0.02, or for large models the least of 0.05, 0.1, 0.2, 0.5, ... with "
                          "which elements times frames are at most 40 million, up to a tenth of the duration; with [analysis] 0.02"),
        value<S>("ledger_interval", &S::ledger_interval, "s", above(0.0).usually(usual::kInterval),

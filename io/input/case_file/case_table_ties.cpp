@@ -90,7 +90,8 @@ Table<HouseTie> house_tie_table() {
            "kind", &S::kind, "", {{"along", HouseTieKind::along}, {"across", HouseTieKind::across}, {"corner", HouseTieKind::corner}},
            "along: through a wall, plates on the walls that it meets; across: from a wall to that opposite; corner: from a wall to the "
            "next")),
-       value<S>("walls", &S::walls, "", filled(), kWalls),
+       value<S>("walls", &S::walls, "", filled(),
+                "walls by name: front, right, rear, left, for along inner walls, too; none: all outer ones that are built"),
        required(value<S>("heights", &S::heights, "m", at_least(0.0).usually(usual::kLevel), "above the foot of the walls, a rod at each")),
        value<S>("at", &S::at, "m", at_least(0.0).usually(usual::kHouse),
                 "across: where along the wall, x or y from the outer corner of the house, a rod at each"),

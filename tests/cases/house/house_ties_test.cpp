@@ -191,6 +191,61 @@ TEST_CASE("house ties: a bandage, on one face of some walls") {
   }
 }
 
+TEST_CASE("house ties: along an inner wall, from outer face to outer face of the walls it meets, in its storey") {
+  Case c = small_house();
+  InnerWall spine;
+  spine.name = "spine", spine.along = PlanAxis::y, spine.at = 0.6, spine.thickness = 0.2;
+  c.house->inner_walls = {spine};
+  c.house->openings.clear();
+  c.house->ties = {rods(HouseTieKind::along, 0.25)};
+  c.house->ties[0].walls = {"spine"};
+  const Model alone = build_model(c);
+  REQUIRE(alone.ties.size() == 1);
+  check_run(alone.ties[0], "rods", {0.7, 0.0, 0.25}, {0.7, 1.0, 0.25});
+  c.house->ties[0].walls = {"front", "spine"};
+  const Model both = build_model(c);
+  REQUIRE(both.ties.size() == 2);
+  check_run(both.ties[0], "rods 1", {0.0, 0.1, 0.25}, {1.2, 0.1, 0.25});
+  check_run(both.ties[1], "rods 2", {0.7, 0.0, 0.25}, {0.7, 1.0, 0.25});
+  check_refused(
+      c,
+      [](Case& with) {
+        with.house->ties[0].kind = HouseTieKind::across, with.house->ties[0].at = {0.3}, with.house->ties[0].walls = {"front", "spine"};
+      },
+      "house.tie[0].walls[1]", "is an inner wall; kind = \"along\" ties one");
+}
+
+TEST_CASE("house ties: names and heights are told with what else of the house is at fault") {
+  Case c = small_house();
+  c.house->joint = "nrmal";
+  c.house->ties = {rods(HouseTieKind::along, 0.25), rods(HouseTieKind::along, 7.0)};
+  c.house->ties[0].walls = {"frnt"};
+  c.output.history = {testing::history("far", 99.0, 0.0)};
+  std::string told;
+  try {
+    build_model(c);
+  } catch (const InputErrors& e) {
+    for (const InputError& one : e.all()) told += std::string(one.what()) + "\n";
+  }
+  CAPTURE(told);
+  CHECK(told.find("house.joint") != std::string::npos);
+  CHECK(told.find("\"frnt\" is no wall; did you mean \"front\"?") != std::string::npos);
+  CHECK(told.find("house.tie[1].heights[0]: 7 m is above the house") != std::string::npos);
+  // What needs the elements comes next: plates and followed points, together.
+  c.house->joint = "normal";
+  c.house->ties = {rods(HouseTieKind::across, 0.1)};
+  c.house->ties[0].walls = {"front"}, c.house->ties[0].at = {0.6};  // in the door
+  told.clear();
+  try {
+    build_model(c);
+  } catch (const InputErrors& e) {
+    for (const InputError& one : e.all()) told += std::string(one.what()) + "\n";
+  }
+  CAPTURE(told);
+  CHECK(told.find("house.tie[0]: [0.6, 0, 0.1] m lies on no face") != std::string::npos);
+  CHECK(told.find("output.history[0].point: \"far\" lies outside the model") != std::string::npos);
+}
+
 TEST_CASE("house ties: what is refused") {
   const auto with = [](HouseTie t, const std::function<void(HouseTie&)>& change) {
     change(t);
@@ -204,7 +259,8 @@ TEST_CASE("house ties: what is refused") {
                        t.walls = {"front", "north"};
                      }),
                 "house.tie[0].walls[1]", "\"north\" is no wall; allowed: \"front\", \"right\", \"rear\", \"left\"");
-  check_refused(small_house(), with(along, [](HouseTie& t) { t.heights = {0.9}; }), "house.tie[0]", "lies on no face that looks away");
+  check_refused(small_house(), with(along, [](HouseTie& t) { t.heights = {0.9}; }), "house.tie[0].heights[0]",
+                "0.9 m is above the house; at most 0.6 m");
   check_refused(small_house(),
                 with(across,
                      [](HouseTie& t) {

@@ -328,7 +328,7 @@ TEST_CASE("followed points outside the model are refused, with how far the neare
   const Outcome far = voussoir("check " + name + " -j 1 --set 'output.history[0].point=[-1.5, 1.2, 1.7]'");
   CHECK(far.code == 2);
   CHECK(
-      says(far, {"output.history[0].point", "(\"left\") lies outside the model", "left wall", "is 1.5 m away", "allowed: in an element"}));
+      says(far, {"output.history[0].point", "m: \"left\" lies outside the model", "left wall", "is 1.5 m away", "allowed: in an element"}));
   CHECK(voussoir("run " + name + " --quiet -j 1 -o " + folder.path("out") + " --set 'output.history[0].point=[1.6, 1.2, 0.9]'").code == 2);
   CHECK_FALSE(std::filesystem::exists(folder.path("out")));
   CHECK(voussoir("check " + name + " -j 1 --set 'output.history[0].point=[3.3, 1.2, 1.7]'").code == 0);
