@@ -3,6 +3,7 @@
 #include "cases/house/house_courses.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "cases/house/walls/rubble.h"
 #include "cases/input_error.h"
 #include "cases/names.h"
+#include "geometry/nth.h"
 
 namespace voussoir::cases {
 namespace {
@@ -27,8 +29,9 @@ std::vector<Level> levels_of(const House& house, const HousePlan& plan) {
     const Tick sill = foot + ticks(opening.sill), head = sill + ticks(opening.height);
     levels.push_back({sill, key("sill"), opening.sill});
     levels.push_back({head, key("height"), opening.height, true});
-    if (opening.lintel) levels.push_back({head + ticks(opening.lintel->height), key("lintel.height"), opening.lintel->height, true});
-    if (opening.arch) levels.push_back({arch_height(opening, head).high, key("arch.thickness"), opening.arch->thickness, true});
+    const int on = static_cast<int>(levels.size()) - 1;
+    if (opening.lintel) levels.push_back({head + ticks(opening.lintel->height), key("lintel.height"), opening.lintel->height, true, 1, on});
+    if (opening.arch) levels.push_back({arch_height(opening, head).high, key("arch.thickness"), opening.arch->thickness, true, 1, on});
   }
   for (std::size_t i = 0; i < house.floors.size(); ++i)
     levels.push_back({plan.floors[i].height.low, indexed_key("house.floor", i, "beam"), house.floors[i].beam[1], true, -1});
@@ -80,23 +83,31 @@ InputError too_near(const Level& first, const Level& later, Tick nearest, Tick l
 
 std::vector<Level> kept_levels(const std::vector<Level>& levels, Tick lowest, Faults& faults) {
   std::vector<Level> good;
-  std::vector<std::pair<Level, Level>> bad;  // with the good one that is too near
-  for (const Level& level : levels) {
-    const auto near = std::ranges::find_if(good, [&](const Level& earlier) {
+  const auto too_near_to = [&](const Level& level) {
+    return std::ranges::find_if(good, [&](const Level& earlier) {
       const Tick apart = std::abs(level.at - earlier.at);
       return apart > 0 && apart < lowest;
     });
-    if (near == good.end())
-      good.push_back(level);
+  };
+  std::vector<std::size_t> bad;                           // in order; those on a bad one behind it
+  std::vector<std::optional<Tick>> moves(levels.size());  // of bad levels, by what is advised
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const bool on_bad = levels[i].on >= 0 && std::ranges::find(bad, static_cast<std::size_t>(levels[i].on)) != bad.end();
+    if (on_bad || too_near_to(levels[i]) != good.end())
+      bad.push_back(i);
     else
-      bad.emplace_back(*near, level);
+      good.push_back(levels[i]);
   }
   std::vector<Tick> beside;
   for (const Level& level : good) beside.push_back(level.at);
-  for (const auto& [near, level] : bad) {
-    const Tick value = advised(near, level, beside, lowest);
-    beside.push_back(level.at + level.sign * (value - ticks(level.value)));
-    faults.add(too_near(near, level, value, lowest));
+  for (const std::size_t i : bad) {
+    Level level = levels[i];
+    if (level.on >= 0) level.at += nth(moves, level.on).value_or(0);
+    const auto near = too_near_to(level);
+    const Tick value = near == good.end() ? ticks(level.value) : advised(*near, level, beside, lowest);
+    moves[i] = level.at + level.sign * (value - ticks(level.value)) - levels[i].at;
+    beside.push_back(levels[i].at + *moves[i]);
+    if (near != good.end()) faults.add(too_near(*near, level, value, lowest));
   }
   return good;
 }

@@ -3,6 +3,7 @@
 #include "cases/house/house_thickness.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "cases/input_error.h"
 #include "cases/names.h"
@@ -27,7 +28,8 @@ Tick depth_of_widths(const HousePlan& plan, Tick thickness, Tick k) noexcept { r
 Tick wall_thickness(double value, const HousePlan& plan, const std::string& key) {
   const Tick thickness = positive_length(value, key), least = least_thickness(plan);
   if (thickness < least)
-    throw InputError(key, text(value) + " m is less than two thirds of a brick's width; at least " + metres_text(least) + " m");
+    throw InputError(key, text(value) + " m is less than two thirds of a brick's width; at least " +
+                              text(std::ceil(1e3 * metres(least) - 1e-6) * 1e-3) + " m");
   return thickness;
 }
 

@@ -99,6 +99,30 @@ TEST_CASE("levels that are at fault together are advised values that go together
   CHECK(told.find("nearest: 0.35 m") != std::string::npos);
 }
 
+TEST_CASE("a lintel on a head that is at fault is judged where the advice puts the head, not where it lies") {
+  const Tick cm = ticks(0.01);
+  const auto told_of = [&](double lintel) {
+    const std::vector<Level> levels{{},
+                                    {300 * cm, "house.height", 3.0, true},
+                                    {210 * cm, "first", 2.1, true},
+                                    {215 * cm, "second", 2.15, true},  // too near: advised onto the first
+                                    {215 * cm + ticks(lintel), "lintel", lintel, true, 1, 3}};
+    Faults faults;
+    kept_levels(levels, 10 * cm, faults);
+    try {
+      faults.raise();
+    } catch (const InputErrors& e) {
+      return static_cast<int>(e.all().size());
+    } catch (const InputError& e) {
+      CHECK(e.key() == "second");
+      return 1;
+    }
+    return 0;
+  };
+  CHECK(told_of(0.2) == 1);
+  CHECK(told_of(0.05) == 2);  // too low above the first, too
+}
+
 TEST_CASE("a brick of 0.25 x 0.12 x 0.065 m with 0.01 m of mortar: half a brick and its joint are a width") {
   Case c = testing::paper_flat20();
   House& house = *c.house;

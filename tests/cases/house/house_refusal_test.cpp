@@ -53,8 +53,8 @@ TEST_CASE("sizes that cannot be laid are refused with the nearest that can") {
          h.brick = {0.25, 0.12, 0.065};
        },
        "house.brick", "nearest: [0.24, 0.12, 0.065], mortar = 0.01, or bond = \"running\""},
-      {[](House& h) { h.bearing_wall = 0.06; }, "house.bearing_wall", "less than two thirds of a brick's width; at least 0.066666667 m"},
-      {[](House& h) { h.nonbearing_wall = 0.04; }, "house.nonbearing_wall", "at least 0.066666667 m"},
+      {[](House& h) { h.bearing_wall = 0.06; }, "house.bearing_wall", "less than two thirds of a brick's width; at least 0.067 m"},
+      {[](House& h) { h.nonbearing_wall = 0.04; }, "house.nonbearing_wall", "at least 0.067 m"},
       {[](House& h) { h.nonbearing_wall = -0.2; }, "house.nonbearing_wall", "allowed: above 0"},
       {[](House& h) { h.inner_size[1] = 0.0; }, "house.inner_size", "allowed: above 0"},
       {[](House& h) { h.inner_size[0] = std::nan(""); }, "house.inner_size", "allowed: above 0"},

@@ -166,7 +166,7 @@ TEST_CASE("two leaves: what is refused") {
   const auto refuse = [](const std::function<void(House&)>& change, const std::string& key, const std::string& words) {
     check_refused(with_leaves(), change, key, words);
   };
-  refuse([](House& h) { h.leaves->outer = 0.05; }, "house.leaves.outer", "less than two thirds of a brick's width; at least 0.066666667 m");
+  refuse([](House& h) { h.leaves->outer = 0.05; }, "house.leaves.outer", "less than two thirds of a brick's width; at least 0.067 m");
   refuse([](House& h) { h.leaves->outer = 0.4; }, "house.leaves.outer", "the front wall of 0.4 m has no room for two leaves");
   refuse([](House& h) { h.nonbearing_wall = 0.1; }, "house.leaves",
          "the right wall of 0.1 m has no room for two leaves; name thicker ones");

@@ -195,7 +195,7 @@ TEST_CASE("pitched roofs and piers: what is refused") {
                 "house.pier[0].wall", "is not built");
   check_refused(c, Change([&](House& h) { pier(h).from = 0.2; }), "house.pier[0].from",
                 "at a corner of the front wall; allowed: 0.3 to 1.9 m");
-  check_refused(c, Change([&](House& h) { pier(h).width = 0.06; }), "house.pier[0].width", "at least 0.066666667 m");
+  check_refused(c, Change([&](House& h) { pier(h).width = 0.06; }), "house.pier[0].width", "at least 0.067 m");
   check_refused(c, Change([&](House& h) { pier(h).depth = 0.05; }), "house.pier[0].depth", "at least 0.1 m");
   check_refused(c, Change([&](House& h) { pier(h).height = 0.7; }), "house.pier[0].height", "at most 0.6 m");
   check_refused(c, Change([&](House& h) { pier(h).height = 0.57; }), "house.pier[0].height", "nearest");

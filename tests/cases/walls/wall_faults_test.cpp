@@ -40,7 +40,7 @@ TEST_CASE("walls that cannot be laid are refused with the key, the value and wha
       },
       "wall[0].points", "point 2: the sides there enclose 7.1 degrees; allowed: 30 or more");
   refuse([](Walls& w) { w[0].points[2] = {9.0, 1.0}; }, "wall[0].bond", "allowed: \"through\"");
-  refuse([](Walls& w) { w[1].thickness = 0.1; }, "wall[1].thickness", "at least 0.133333334 m");
+  refuse([](Walls& w) { w[1].thickness = 0.1; }, "wall[1].thickness", "at least 0.134 m");
   refuse([](Walls& w) { w[1].brick[2] = 0.1; }, "wall[1].brick", "0.1 m high, but walls that meet have the same courses; allowed: 0.2 m");
   refuse([](Walls& w) { w[1].material = "clay"; }, "wall[1].material", "clay");
   refuse([](Walls& w) { w[1].points = {{1.0, 0.1}, {4.0, 0.1}}; }, "wall[1].points", "overlap at an angle below 30 degrees");
