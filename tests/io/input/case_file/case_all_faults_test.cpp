@@ -47,6 +47,24 @@ TEST_CASE("faults: all of a file are told at once, in the order of its lines, ea
   CHECK(message.substr(message.rfind('\n') + 1).starts_with("--set contact.damping=-2: "));
 }
 
+TEST_CASE("faults: those of tables beside the model are told with those of the model") {
+  const std::string text = "[materials.m]\ndensity = 1800.0\nyoung = 1e7\npoisson = 0.2\n" + kBlock +
+                           "box = [[0,0,0],[1,1,1]]\n[joints]\ndefault = \"strng\"\n[analysis]\ncontrol = \"a\"\n[time]\nduration = -1\n";
+  const std::string message = refusal("title = \"t\"\n" + text, {});
+  CAPTURE(message);
+  CHECK(message.find("test.toml:11: joints.default") != std::string::npos);
+  CHECK(message.find("test.toml:13: analysis.control") != std::string::npos);
+  CHECK(message.find("test.toml:15: time.duration = -1 s") != std::string::npos);
+  CHECK(std::count(message.begin(), message.end(), '\n') == 2);
+  const std::string moved = "[base]\nz = 0.0\n[[base.part]]\nlevel = 0.2\nx = [2, 3]\ny = [2, 3]\nmotion = { to = [0, 0, -0.1] }\n";
+  const std::string of_part = refusal("title = \"t\"\n" + text.substr(0, text.find("[analysis]")) + moved, {});
+  CAPTURE(of_part);
+  CHECK(of_part.find("joints.default") != std::string::npos);
+  CHECK(of_part.find("base.part[0].motion.to") != std::string::npos);
+  // A fault of the model's own tables leaves values unread, and nothing is built of the rest.
+  CHECK(refusal("title = \"t\"\n" + text + "[contact]\nfriction = \"much\"\n", {}).find("joints.default") == std::string::npos);
+}
+
 TEST_CASE("faults: those that the model shows are told in the order of lines, too") {
   const io::LoadedCase c = read_case(
       {"test.toml", "title = \"t\"\n[materials.m]\ndensity = 1\nyoung = 1e7\npoisson = 0.2\n" + kBlock + "box = [[0, 0, 0], [1, 1, 1]]\n"});

@@ -105,7 +105,8 @@ TEST_CASE("overrides: an empty value takes a key away") {
   CHECK(with(text, {"block[0]="}).blocks[0].name == "b");
   CHECK(with(text, {"motion=", "motion.record=other"}).motion->record == "other");
   CHECK(!with("", {"motion.record="}).motion);
-  CHECK(refusal(text, {"motion.recrod="}).starts_with("--set motion.recrod=: motion.recrod: unknown key; did you mean \"record\"?"));
+  CHECK(refusal(text, {"motion.recrod="}).find("--set motion.recrod=: motion.recrod: unknown key; did you mean \"record\"?") !=
+        std::string::npos);
   CHECK(refusal(text, {"materials.m=", "tiem.step="}).starts_with("--set tiem.step=: tiem: unknown key"));
   CHECK(refusal("[materials.m]\ndensity=1\nyoung=1\npoisson=0\n", {"materials.m.young="}).find("materials.m.young is missing") !=
         std::string::npos);
