@@ -23,17 +23,33 @@ std::string_view body_of(std::string_view text) {
 
 bool begins_with_element(std::string_view text, std::string_view name) { return body_of(text).starts_with(name); }
 
-/// Whether the first line that is no comment holds columns: two or more, divided by commas, and no key before them ("key = value, ...").
+/// Columns of a row, divided by commas that stand in no quotes.
+std::size_t columns_of(std::string_view row) {
+  std::size_t columns = 1;
+  bool quoted = false;
+  for (const char c : row) {
+    if (c == '"') quoted = !quoted;
+    if (c == ',' && !quoted) ++columns;
+  }
+  return columns;
+}
+
+/// Whether the first line that is no comment holds columns: two or more, divided by commas, and no key before them ("key = value, ..."),
+/// and the next line as many. A script (#!) is no table, nor is one line that ends a sentence.
 bool is_table(std::string_view text) {
-  if (text.find('\0') != std::string_view::npos) return false;
+  if (text.find('\0') != std::string_view::npos || text.starts_with("#!")) return false;
   LineReader lines(text);
+  std::size_t columns = 0;
   while (const auto line = lines.next()) {
     const std::string_view row = trimmed(*line);
     if (row.empty() || row.front() == '#') continue;
+    const bool whole = row.data() + row.size() < text.data() + text.size();  // else it may go on behind the head
+    if (columns > 0) return columns_of(row) == columns || !whole;
     const std::size_t comma = row.find(','), equals = row.find('=');
-    return "<{["sv.find(row.front()) == std::string_view::npos && comma != std::string_view::npos && comma < equals;
+    if ("<{["sv.find(row.front()) != std::string_view::npos || comma == std::string_view::npos || comma > equals) return false;
+    columns = columns_of(row);
   }
-  return false;
+  return columns > 0 && !trimmed(text).ends_with('.');
 }
 
 }  // namespace

@@ -115,6 +115,8 @@ void refuse_odd_file(const std::string& path) {
   if (::lstat(path.c_str(), &is) == 0 && !S_ISREG(is.st_mode)) throw FileError(path, "is " + odd_kind(is.st_mode));
 }
 
+bool is_file_of_kind(FileKind kind, const std::string& path) { return is_of_kind(kind, head_of(path)); }
+
 std::string cleared(const std::string& path) {
   refuse_odd_file(path);
   ::unlink(path.c_str());

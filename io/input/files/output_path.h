@@ -46,6 +46,8 @@ void write_output(const Output& output, std::string_view bytes);
 
 /// Refuses what is not a regular file, links too; what does not exist is accepted. \throw FileError
 void refuse_odd_file(const std::string& path);
+/// Whether the file is of that kind by its first bytes. \throw FileError if it cannot be read
+bool is_file_of_kind(FileKind kind, const std::string& path);
 /// Makes way for a temporary file: removes a regular file of that name. \return `path` \throw FileError as refuse_odd_file
 std::string cleared(const std::string& path);
 

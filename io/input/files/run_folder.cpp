@@ -105,19 +105,46 @@ void check_folder(const std::string& path, bool used, bool overwrite) {
                             "); give a new or empty folder, or --overwrite to put the results beside it");
 }
 
+/// The kind of a result, by its name.
+FileKind kind_of_result(const std::string& found) {
+  const std::string name = final_name(found);
+  if (name.ends_with(".html")) return FileKind::page;
+  if (name.ends_with(".xdmf")) return FileKind::xdmf;
+  if (name.ends_with(".png")) return FileKind::picture;
+  return FileKind::hdf5;
+}
+
+/// Whether the file is a checkpoint by its seal, or begins with zeros, as one does that was not written to its end.
+bool is_sealed_or_unwritten(const std::string& path) {
+  constexpr std::string_view kSeal = "voussoir checkpoint ";
+  std::ifstream file(path, std::ios::binary);
+  if (file.peek() == 0) return true;
+  std::string head(kSeal.size(), '\0');
+  return file.read(head.data(), static_cast<std::streamsize>(head.size())) && head == kSeal;
+}
+
+/// Refuses a file with the name of a result that is none: it would be removed. \throw FileError
+void refuse_other_kind(const std::string& path, const std::string& name) {
+  if (const std::string wanted = final_name(name); wanted == "case.toml" || wanted == "limit.json") return;
+  const FileKind kind = kind_of_result(name);
+  if (is_file_of_kind(kind, path) || is_sealed_or_unwritten(path)) return;
+  throw FileError(path, "is no " + name_of(kind) + ", so no run wrote it, but results would replace it; move it, or give another folder");
+}
+
 /// Refuses links in place of folders, in which a run writes and removes files. \throw FileError
 void refuse_links(const std::string& folder) {
   for (const std::string& inner : {folder + "/parts", folder + "/stills"})
     if (fs::is_symlink(inner)) throw FileError(inner, "is a symbolic link, which results do not follow; give another folder");
 }
 
-/// Refuses a folder in which results would replace what is not a regular file, or an input of the command. \throw FileError
+/// Refuses a folder in which results would replace what is not a regular file of their kind, or an input of the command. \throw FileError
 void check_files(const std::string& folder) {
   refuse_links(folder);
   const auto check = [](const std::string& in, bool (*chosen)(const std::string&)) {
     for (const std::string& name : names_in(in, chosen)) {
       const std::string path = in + "/" + name;
       refuse_odd_file(path);
+      refuse_other_kind(path, name);
       if (is_input(path)) throw FileError(path, "is an input of this command, which its results would replace; give another folder");
     }
   };
@@ -217,8 +244,8 @@ RunFolder RunFolder::create(const std::string& path, bool overwrite) {
   if (error) throw FileError(path, "cannot make the folder: " + error.message());
   const auto check = [&] {
     const bool used = !names_in(path, is_result).empty() || !names_in(path + "/parts", is_part).empty();
-    check_folder(path, used, overwrite);
     check_files(path);
+    check_folder(path, used, overwrite);
     return used;
   };
   try {

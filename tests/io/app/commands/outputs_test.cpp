@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "io/input/files/output_path.h"
 #include "solver/limit/limit.h"
 #include "tests/io/shell.h"
 #include "tests/io/temp_folder.h"
@@ -196,6 +197,16 @@ TEST_CASE("outputs: a file of another kind stays, one of the same kind is replac
     CHECK(place.said(row.words + " --overwrite").code == 0);
     place.clear(row.output);
   }
+}
+
+TEST_CASE("outputs: what is no table is told from one") {
+  using voussoir::io::FileKind;
+  using voussoir::io::is_of_kind;
+  for (const char* table : {"", "# made\nt [s],x [m]\n0,1\n", "t,x\n", "a,\"b, c\"\n1,2\n", "1,2\n3,4", "t,x\n0,1\n0.1,"})
+    CHECK_MESSAGE(is_of_kind(FileKind::table, table), table);
+  for (const char* other : {"#!/bin/sh\necho 1, 2\n", "Dear Sir, I write\nto tell you, briefly, and in short\n", "One line, a sentence.", "a = 1, 2",
+                            "<a, b>", "{ \"a\": 1, \"b\": 2 }"})
+    CHECK_MESSAGE(!is_of_kind(FileKind::table, other), other);
 }
 
 TEST_CASE("outputs: two options do not name one file, standard output is no file, and a run follows no links in its folder") {

@@ -24,8 +24,16 @@ void touch(const std::string& path, const std::string& text = "x") {
   std::ofstream(path) << text;
 }
 
-/// A file as a run leaves it.
-void leave(const std::string& path) { touch(path, path.ends_with("case.toml") ? std::string(kResolvedHead) + "\n" : "x"); }
+/// A file as a run leaves it: its first bytes.
+void leave(const std::string& path) {
+  const auto is = [&](const char* ending) { return path.find(ending) != std::string::npos; };
+  touch(path, is("case.toml") ? std::string(kResolvedHead) + "\n"
+              : is(".html")   ? "<!DOCTYPE html>"
+              : is(".xdmf")   ? "<Xdmf>"
+              : is(".png")    ? "\x89PNG"
+              : is("checkpoint") ? "voussoir checkpoint 8\n"
+                              : "\x89HDF\r\n");
+}
 
 std::string text_of(const std::string& path) {
   std::ostringstream text;
@@ -84,6 +92,22 @@ TEST_CASE("results of another run are refused, or on request removed and nothing
   std::set<std::string> left = foreign;
   left.insert(".lock");
   CHECK(files_in(dir.path()) == left);
+}
+
+TEST_CASE("a file with the name of a result that no run wrote is kept, with --overwrite too") {
+  for (const char* name : {"run.h5", "report.html", "comparison.html", "run.xdmf", "paraview.h5", "checkpoint-000007.h5",
+                           "checkpoint-999999.h5.tmp", "parts/0000.h5", "stills/photo-2.5s.png"}) {
+    CAPTURE(name);
+    const TempFolder dir;
+    leave(dir.file("run.h5"));
+    touch(dir.file(name), "mine");
+    for (const bool overwrite : {false, true})
+      CHECK_THROWS_WITH_AS(RunFolder::create(dir.path(), overwrite), doctest::Contains("so no run wrote it"), FileError);
+    CHECK_THROWS_WITH_AS(RunFolder::open(dir.path()), doctest::Contains("so no run wrote it"), FileError);
+    CHECK(text_of(dir.file(name)) == "mine");
+    touch(dir.file(name), std::string(8, '\0'));  // as of a run that was killed while it wrote its first bytes
+    CHECK_NOTHROW(RunFolder::create(dir.path(), true));
+  }
 }
 
 TEST_CASE("results do not mix with files of something else unless told to, and never replace a case of the user's") {
