@@ -49,11 +49,21 @@ bool asks_for_json(std::span<char* const> words) {
   return false;
 }
 
+/// The words that no option takes, in the order of the command line: the parser names them backwards.
+std::string unexpected(const CLI::App& program, const std::string& said) {
+  constexpr std::string_view kHead = "not expected: ";
+  const std::size_t head = said.find(kHead), end = said.find('\n', head);
+  if (head == std::string::npos || end == std::string::npos) return said;
+  std::string words;
+  for (const std::string& word : program.remaining(true)) words += (words.empty() ? "" : " ") + word;
+  return said.substr(0, head + kHead.size()) + words + said.substr(end);
+}
+
 /// Prints what the parser says of the words, with a suggestion. \return the exit code
 int end_parsing(const CLI::App& program, const CLI::ParseError& e, const std::string& suggestion) {
   std::ostringstream said;
   if (program.exit(e, std::cout, said) == 0) return io::kDone;
-  const std::string text = said.str() + suggestion;
+  const std::string text = unexpected(program, said.str()) + suggestion;
   if (io::says_json())
     io::say_error(io::kInputFault, {.text = text.substr(0, text.find_last_not_of('\n') + 1)});
   else
@@ -88,7 +98,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ExtrasError& e) {
     return end_parsing(program, e, io::suggested_option(program, {argv + 1, argv + argc}));
   } catch (const CLI::ParseError& e) {
-    return end_parsing(program, e, io::suggested_value(e.what()));
+    return end_parsing(program, e, io::suggested_option(program, {argv + 1, argv + argc}) + io::suggested_value(e.what()));
   } catch (const solver::NumericalError& e) {
     io::say_error(io::kNumericalFailure, {.text = std::string("numerical failure: ") + e.what()});
     return io::kNumericalFailure;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <string>
+#include <vector>
 
 #include "cases/case.h"
 #include "cases/loads/gravity.h"
@@ -65,7 +67,13 @@ class Forces {
   /// The elements of this name that can move.
   [[nodiscard]] std::vector<std::int32_t> named(const std::string& name) const {
     const std::vector<std::vector<std::int32_t>> wholes = cases::parts_named(model_, name);
-    if (wholes.empty()) throw cases::InputError("--on", cases::quoted(name) + " is the name of no block, stone or group");
+    if (wholes.empty()) {
+      std::vector<std::string> names;
+      for (const cases::Block& b : model_.blocks) names.push_back(b.name);
+      const std::string meant = cases::did_you_mean(name, names);
+      throw cases::InputError("--on", cases::quoted(name) + " is the name of no block, stone or group" +
+                                          (meant.empty() ? "" : "; " + meant.substr(0, meant.size() - 1)));
+    }
     std::vector<std::int32_t> elements;
     for (const std::vector<std::int32_t>& parts : wholes)
       std::ranges::copy_if(parts, std::back_inserter(elements), [&](std::int32_t e) { return nth(contacts_.body_of, e) >= 0; });

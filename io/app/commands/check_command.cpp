@@ -25,6 +25,7 @@
 #include "io/app/commands/words/bill.h"
 #include "io/app/commands/words/case_words.h"
 #include "io/app/commands/words/check_json.h"
+#include "io/app/commands/words/command_word.h"
 #include "io/app/commands/words/common_words.h"
 #include "io/app/session/exit_code.h"
 #include "io/app/session/likely_slips.h"
@@ -334,6 +335,7 @@ int check(const LoadedCase& c, const CheckOptions& o, int threads) {
   std::printf("%s", bill_words(n, model, o.bill).c_str());
   print_adapted_walls(c.value);
   print_tie_bill(model);
+  std::fflush(stdout);  // the steps of the estimate take a while
   const bool sound = print_estimate(c.value, n, sim);
   if (!o.draw.empty()) {
     write_output(drawing, draw(c.value, model));
@@ -381,9 +383,10 @@ Command add_check(CLI::App& program) {
   words->footer("example: voussoir check my-house.toml --draw my-house.svg");
   return {.words = words,
           .work =
-              [w] {
-                return is_run(w->c.name) ? check_results(w->c.name, w->o.json)
-                                         : with_case(w->c, [w](const auto& c) { return check(c, w->o, w->c.threads); });
+              [w, words] {
+                if (!is_run(w->c.name)) return with_case(w->c, [w](const auto& c) { return check(c, w->o, w->c.threads); });
+                refuse_options(*words, {"--format"}, "goes with a case; of " + w->c.name + ", the folder of a run, check reads every byte");
+                return check_results(w->c.name, w->o.json);
               },
           .threads = &w->c.threads};
 }

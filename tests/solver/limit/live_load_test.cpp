@@ -67,7 +67,8 @@ TEST_CASE("live load: the weight of one block, in any direction") {
   const double s = std::sqrt(0.5);
   CHECK(multiplier(c, weight({s, 0, s}, {"other"})) == doctest::Approx(0.2 / (s * 0.5 + s * 0.2)).epsilon(1e-9));
   CHECK(refusal(c, weight({0, 0, -1}, {})).starts_with("has no collapse multiplier in this direction"));
-  CHECK(refusal(c, weight({1, 0, 0}, {"none"})) == "--on: \"none\" is the name of no block, stone or group");
+  CHECK(refusal(c, weight({1, 0, 0}, {"none of all"})) == "--on: \"none of all\" is the name of no block, stone or group");
+  CHECK(refusal(c, weight({1, 0, 0}, {"othr"})).ends_with("; did you mean \"other\"?"));
   CHECK(refusal(c, weight({1, 0, 0}, {"slab"})) == "--on: \"slab\" is fixed, a load cannot move it");
 }
 

@@ -13,6 +13,17 @@
 #include "cases/names.h"
 
 namespace voussoir::io {
+namespace {
+
+/// The option that is meant, which has at least half of the letters in common; empty: none. Both dashes are in all of them, and are no sign.
+std::string nearest_option(const std::string& name, const std::vector<std::string>& names) {
+  std::vector<std::string> letters;
+  for (const std::string& known : names) letters.push_back(known.substr(2));
+  const std::string near = cases::nearest(name.substr(2), letters);
+  return near.empty() ? "" : "--" + near;
+}
+
+}  // namespace
 
 void check_command_word(const CLI::App& app, const std::string& word) {
   if (word.starts_with("-")) return;
@@ -50,14 +61,27 @@ std::string suggested_option(const CLI::App& program, const std::vector<std::str
   for (const CLI::Option* option : program.get_options()) {
     for (const std::string& name : option->get_lnames()) before.push_back("--" + name);
   }
+  const auto known = [&](const std::string& name) {
+    return std::ranges::find(names, name) != names.end() || std::ranges::find(before, name) != before.end();
+  };
   for (const std::string& word : words) {
     const std::string name = word.substr(0, word.find('='));
-    if (!name.starts_with("--") || std::ranges::find(names, name) != names.end() || std::ranges::find(before, name) != before.end())
-      continue;
-    const std::string near = cases::nearest(name, names);
+    if (!name.starts_with("-") || name.size() < 3 || known(name)) continue;
+    const bool one_dash = !name.starts_with("--");
+    if (one_dash && known("-" + name)) return name + ": did you mean -" + name + "?\n";
+    if (one_dash && app.get_option_no_throw(name.substr(0, 2)) != nullptr) continue;  // a short option with its value
+    std::string near = nearest_option(one_dash ? "-" + name : name, names);
+    if (near.empty()) near = nearest_option(one_dash ? "-" + name : name, before);
     return near.empty() ? "" : name + ": did you mean " + near + "?\n";
   }
   return "";
+}
+
+void refuse_options(const CLI::App& command, const std::vector<std::string>& allowed, const std::string& why) {
+  for (const CLI::Option* option : command.get_options([](const CLI::Option* o) { return o->count() > 0; })) {
+    const std::string name = option->get_name();
+    if (name.starts_with('-') && std::ranges::find(allowed, name) == allowed.end()) throw cases::InputError("", name + " " + why);
+  }
 }
 
 }  // namespace voussoir::io

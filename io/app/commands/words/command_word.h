@@ -21,4 +21,8 @@ std::string suggested_value(const std::string& message);
 /// For the first option among the words that the command does not know: a line with the most similar one that it has. Empty: none.
 std::string suggested_option(const CLI::App& program, const std::vector<std::string>& words);
 
+/// Refuses options of a command that were given but do not go with what its first word names. \param allowed  those that do \param why
+/// goes on behind "--name " \throw cases::InputError
+void refuse_options(const CLI::App& command, const std::vector<std::string>& allowed, const std::string& why);
+
 }  // namespace voussoir::io
