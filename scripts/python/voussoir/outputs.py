@@ -103,10 +103,12 @@ def _first_line(head: bytes) -> str:
 
 
 def _is_case(head: bytes) -> bool:
-    """Whether it begins with a key or a table of a case."""
+    """Whether it begins with a key or a table of a case, and has no others before its first table, as a study file has."""
     from .parts import Case  # here: a large module
-    found = re.match(r"(?:\[\[?\s*)?([A-Za-z0-9_-]+)\s*[=.\]]", _first_line(head))
-    return found is not None and found[1] in {one.name for one in fields(Case)}  # type: ignore[arg-type]
+    known = {one.name for one in fields(Case)}  # type: ignore[arg-type]
+    first = re.match(r"(?:\[\[?\s*)?([A-Za-z0-9_-]+)\s*[=.\]]", _first_line(head))
+    keys = re.findall(r"^([A-Za-z0-9_-]+)\s*=", re.split(r"^\[", _text_of(head), maxsplit=1, flags=re.MULTILINE)[0], re.MULTILINE)
+    return first is not None and {first[1], *keys} <= known
 
 
 def _is_table(head: bytes) -> bool:

@@ -193,7 +193,8 @@ class Frame:
     @property
     def position(self) -> Array:
         with self._reading():
-            return Array(np.asarray(Table(self._file["model/element"])["position0"]) + np.asarray(self.displacement), "m", "position", "centroids of all elements")
+            start = np.asarray(Table(self._file["model/element"])["position0"])
+            return Array(start + np.asarray(self.displacement), "m", "position", "centroids of all elements")
 
     @property
     def quaternion(self) -> Array:
