@@ -44,6 +44,12 @@ class Outputs(InAFolder):
         with self.assertRaisesRegex(voussoir.FileError, f"^{re.escape(str(path))}: .*{words}"):
             write(path)
 
+    def test_what_is_no_table_is_told_from_one(self):
+        for text in (b"# made\nt,x\n0,1\n", b"t,x\n", b'a,"b, c"\n1,2\n', b"1,2\n3,4", b"t,x,y\n0,1"):
+            self.assertTrue(outputs.TABLE.fits(text), text)
+        for text in (b"#!/bin/sh\necho 1, 2\n", b"Dear Sir, I write\nto tell you, briefly, and in short\n", b"One line, a sentence.", b"a = 1, 2", b"{1, 2}"):
+            self.assertFalse(outputs.TABLE.fits(text), text)
+
     def test_links_folders_pipes_and_devices_are_refused(self):
         for end, write in self.writers().items():
             with self.subTest(end):

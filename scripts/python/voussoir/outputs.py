@@ -3,6 +3,7 @@
 """Files that the package writes. They replace regular files of their own kind and nothing else: io/README.md, What an output replaces."""
 
 import contextlib
+import csv
 import os
 import pathlib
 import re
@@ -112,9 +113,16 @@ def _is_case(head: bytes) -> bool:
 
 
 def _is_table(head: bytes) -> bool:
-    line = _first_line(head)
+    """Whether its first two rows have as many columns, two or more. A script is no table, nor is one line that ends a sentence."""
+    rows = [row for row in _text_of(head).splitlines(keepends=True) if row.strip() and not row.lstrip().startswith("#")]
+    line = rows[0].strip() if rows else ""
     comma, equals = line.find(","), line.find("=")
-    return line[:1] not in ("<", "{", "[") and comma >= 0 and (equals < 0 or comma < equals)
+    if head.startswith(b"#!") or line[:1] in ("<", "{", "[") or comma < 0 or 0 <= equals < comma:
+        return False
+    if len(rows) == 1 or not rows[1].endswith("\n"):  # the head may end within the second
+        return len(rows) > 1 or not line.endswith(".")
+    columns = [len(next(csv.reader([row]), [])) for row in rows[:2]]
+    return columns[0] == columns[1]
 
 
 def _is_drawing(head: bytes) -> bool:
