@@ -144,8 +144,8 @@ void check_files(const std::string& folder) {
     for (const std::string& name : names_in(in, chosen)) {
       const std::string path = in + "/" + name;
       refuse_odd_file(path);
-      refuse_other_kind(path, name);
       if (is_input(path)) throw FileError(path, "is an input of this command, which its results would replace; give another folder");
+      refuse_other_kind(path, name);
     }
   };
   check(folder, is_result);
@@ -244,8 +244,8 @@ RunFolder RunFolder::create(const std::string& path, bool overwrite) {
   if (error) throw FileError(path, "cannot make the folder: " + error.message());
   const auto check = [&] {
     const bool used = !names_in(path, is_result).empty() || !names_in(path + "/parts", is_part).empty();
-    check_files(path);
     check_folder(path, used, overwrite);
+    check_files(path);
     return used;
   };
   try {
