@@ -38,9 +38,10 @@ double settling(const cases::Case& c) { return c.gravity.settle ? c.gravity.ramp
 
 void refuse_steps(const cases::Case& c, const cases::Model& model, double dt) {
   const double before = settling(c), steps = (c.end() + before) / dt;
-  if (before == 0.0 && c.end() < dt)
+  if (before == 0.0 && c.end() > 0.0 && c.end() < dt)  // 0 is asked for: the model alone
     throw cases::InputError(end_key(c), "= " + cases::text(c.end()) + " s makes no step, of " + cases::text(dt) +
-                                            " s, and without gravity.settle there is none before it; allowed: at least one step");
+                                            " s, and without gravity.settle there is none before it; allowed: at least one step, or 0 for "
+                                            "the model alone");
   if (steps <= kMostSteps && dt >= kShortestStep) return;
   const std::string so_many = cases::text(steps) + " steps; allowed: at most 1e10, of at least 1e-9 s";
   const auto seconds = [](double t) { return "= " + cases::text(t) + " s "; };

@@ -589,7 +589,7 @@ class HouseTie(Part):
 
     name: begins the names of its ties; not empty; needed
     kind: along: through a wall, plates on the walls that it meets; across: from a wall to that opposite; corner: from a wall to the next; needed
-    walls: walls by name: front, right, rear, left; none: all that are built; not empty
+    walls: walls by name: front, right, rear, left, for along inner walls, too; none: all outer ones that are built; not empty
     heights, m: above the foot of the walls, a rod at each; >= 0, usually 0.001 to 60, at most 60000; needed
     at, m: across: where along the wall, x or y from the outer corner of the house, a rod at each; >= 0, usually 0.1 to 100, at most 1e5
     depth, m: along: from the outer face of the wall; none: half its thickness; >= 0, usually 0.05 to 5, at most 5000
@@ -1237,7 +1237,8 @@ class Output(Part):
     history_interval, s: between rows of histories; time.step = "auto" takes a step that divides it; > 0, usually 1e-6 to 10, possible 1e-9 to 10000;
       default 0.001
     frame_interval, s: between frames of the whole model; auto: 0.02, or for large models the least of 0.05, 0.1, 0.2, 0.5, ... with which elements
-      times frames are at most 40 million, up to a tenth of the duration; with [analysis] 0.02; > 0, possible 1e-9 to 1e9; default "auto"
+      times frames are at most 40 million, up to a tenth of the duration; with [analysis] 0.02; > 0, usually 1e-5 to 1e6, possible 1e-9 to 1e9;
+      default "auto"
     ledger_interval, s: between rows of energy, forces and damage; > 0, usually 1e-6 to 10, possible 1e-9 to 10000; default 0.01
     history: an element whose motion is written
     cut: a plane; the force and the moment that pass it are written

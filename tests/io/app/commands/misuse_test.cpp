@@ -100,11 +100,12 @@ TEST_CASE("--overwrite removes what runs write, not a copy of a checkpoint; a ta
 
 TEST_CASE("a run that makes no step is refused, by check too; check of results takes no words of a case") {
   const Pillar p;
-  for (const char* duration : {"0", "1e-300", "1e-9"}) {
+  for (const char* duration : {"1e-300", "1e-9"}) {
     const std::string words = std::string("--set time.duration=") + duration;
     refused(p.run("none", words), 2, "makes no step");
     refused(voussoir("check " + shell::quoted(p.file) + " -j 1 " + words), 2, "makes no step");
   }
+  CHECK(p.run("model", "--set time.duration=0").code == 0);
   CHECK(p.run("some").code == 0);
   for (const char* words : {"--draw x.svg", "--bill", "-j 3", "--set time.duration=5", "--duration 2"})
     refused(voussoir("check " + p.results("some") + " " + words), 2, "goes with a case");
