@@ -41,9 +41,9 @@ void check_followed_points(const Case& c, const Model& model) {
     const Near near = nearest_box(model, h.point);
     if (near.distance <= near.allowed) continue;
     faults.add({indexed_key("output.history", i, "point"),
-                     quoted(h.name) + " lies outside the model: the nearest element, " +
-                         describe(model.blocks[near.element], near.element) + ", is " + millimetres(near.distance) +
-                         " m away; allowed: in an element, or no farther from one than it is long (" + millimetres(near.allowed) + " m)"});
+                quoted(h.name) + " lies outside the model: the nearest element, " + describe(model.blocks[near.element], near.element) +
+                    ", is " + millimetres(near.distance) + " m away; allowed: in an element, or no farther from one than it is long (" +
+                    millimetres(near.allowed) + " m)"});
   }
   faults.raise();
 }

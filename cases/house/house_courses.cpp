@@ -89,8 +89,8 @@ std::vector<Level> kept_levels(const std::vector<Level>& levels, Tick lowest, Fa
       return apart > 0 && apart < lowest;
     });
   };
-  std::vector<std::size_t> bad;                           // in order; those on a bad one behind it
-  std::vector<std::optional<Tick>> moves(levels.size());  // of bad levels, by what is advised
+  std::vector<std::size_t> bad;                           // too near to a good one, or on a level that is
+  std::vector<std::optional<Tick>> moves(levels.size());  // how far the advice moves a bad level
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const bool on_bad = levels[i].on >= 0 && std::ranges::find(bad, static_cast<std::size_t>(levels[i].on)) != bad.end();
     if (on_bad || too_near_to(levels[i]) != good.end())

@@ -17,7 +17,7 @@ struct Level {
   double value = 0.0;    // of the key, m
   bool is_size = false;  // the key is a height above another level, so above zero
   int sign = 1;          // the level moves up (1) or down with the value
-  int on = -1;           // index of the level that this one is above, and moves with; -1: none
+  int on = -1;           // index of the level that this one is measured from, and moves with; -1: none
 };
 
 /// Refuses levels too near to an earlier one that is kept. \param lowest  course \return those that are kept

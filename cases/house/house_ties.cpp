@@ -32,30 +32,44 @@ bool is_inner_wall(const House& house, const std::string& name) {
   return std::ranges::any_of(house.inner_walls, [&](const InnerWall& w) { return w.name == name; });
 }
 
-/// Outer walls that a tie names; all that are built if it names none. \throw InputError for what is no wall
-std::vector<Side> outer_walls(const House& house, const HousePlan& plan, const HouseTie& tie, const std::string& key) {
-  std::vector<std::string> outer = tie.walls;
-  if (tie.kind == HouseTieKind::along) std::erase_if(outer, [&](const std::string& name) { return is_inner_wall(house, name); });
-  if (outer.empty() && !tie.walls.empty()) return {};
-  if (outer.size() == tie.walls.size()) {
-    for (std::size_t i = 0; i < outer.size(); ++i) {
-      if (is_inner_wall(house, outer[i]))
-        throw InputError(key + ".walls[" + std::to_string(i) + "]",
-                         quoted(outer[i]) + " is an inner wall; kind = \"along\" ties one, other kinds join outer walls");
-    }
-    return chosen_walls(plan, outer, key);
+/// The side of the house that has this name, and is built. \param names  of walls that are allowed here \throw InputError
+Side built_side(const HousePlan& plan, const std::string& wall, const std::vector<std::string>& names, const std::string& key) {
+  const auto side = std::ranges::find_if(kSides, [&](Side s) { return wall == name(s); });
+  if (side == kSides.end()) {
+    std::string allowed;
+    for (const std::string& one : names) allowed += (allowed.empty() ? "" : ", ") + quoted(one);
+    throw InputError(key, quoted(wall) + " is no wall; " + did_you_mean(wall, names) + "allowed: " + allowed);
   }
-  std::vector<Side> chosen;  // beside inner walls, so that indices are those of the key
-  for (std::size_t i = 0; i < tie.walls.size(); ++i) {
-    if (is_inner_wall(house, tie.walls[i])) continue;
-    std::vector<std::string> until(tie.walls.begin(), tie.walls.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-    std::erase_if(until, [&](const std::string& name) { return is_inner_wall(house, name); });
-    chosen = chosen_walls(plan, until, key);
-  }
-  return chosen;
+  if (!plan.wall(*side).built) throw InputError(key, quoted(wall) + " is not built (house.walls)");
+  return *side;
 }
 
-/// The walls that a tie along walls runs through at a height [m] above their foot: outer ones, then inner ones.
+const std::vector<std::string>& side_names() {
+  static const std::vector<std::string> names{"front", "right", "rear", "left"};
+  return names;
+}
+
+/// Sides of the house that a tie names beside inner walls; all that are built if it names no wall. \throw InputError for what is no wall
+std::vector<Side> outer_walls(const House& house, const HousePlan& plan, const HouseTie& tie, const std::string& key) {
+  std::vector<std::string> names = side_names(), outer;
+  if (tie.kind == HouseTieKind::along) {
+    for (const InnerWall& inner : house.inner_walls) names.push_back(inner.name);
+  }
+  for (std::size_t i = 0; i < tie.walls.size(); ++i) {
+    const std::string& wall = tie.walls[i];
+    const std::string at = key + ".walls[" + std::to_string(i) + "]";
+    if (!is_inner_wall(house, wall)) {
+      built_side(plan, wall, names, at);
+      outer.push_back(wall);
+    } else if (tie.kind != HouseTieKind::along) {
+      throw InputError(at, quoted(wall) + " is an inner wall; kind = \"along\" ties one, other kinds join outer walls");
+    }
+  }
+  if (outer.empty() && !tie.walls.empty()) return {};
+  return chosen_walls(plan, outer, key);
+}
+
+/// The walls, outer ones first, that have a rod of a tie of kind "along" at this height [m] above the foot of the house.
 std::vector<const WallPlan*> walls_along(const House& house, const HousePlan& plan, const HouseTie& tie, const std::vector<Side>& outer,
                                          double height) {
   std::vector<const WallPlan*> all;
@@ -82,7 +96,9 @@ class Rods {
       if (tie_.kind == HouseTieKind::across) across(height);
       if (tie_.kind == HouseTieKind::corner) corners(height);
     }
-    if (rods_.empty()) throw InputError(key_, "makes no tie: no two of its walls meet in a corner");
+    if (rods_.empty())
+      throw InputError(key_, tie_.kind == HouseTieKind::along ? "makes no tie: none of its walls stands at these heights"
+                                                              : "makes no tie: no two of its walls meet in a corner");
     return rods_;
   }
 
@@ -91,7 +107,7 @@ class Rods {
     return on_wall(plan_, side, along, depth, height);
   }
   [[nodiscard]] double length(Side side) const { return metres(plan_.wall(side).length); }
-  /// Refuses heights above walls and flat roof. Gables rise above the walls.
+  /// Refuses heights above the walls and a flat roof on them; other roofs have gables, which rise higher.
   void refuse_heights() const {
     const bool flat = house_.roof.kind == RoofKind::flat;
     if (house_.roof.kind != RoofKind::none && !flat) return;
@@ -152,14 +168,7 @@ class Rods {
 }  // namespace
 
 std::vector<Side> chosen_walls(const HousePlan& plan, const std::vector<std::string>& walls, const std::string& key) {
-  for (std::size_t i = 0; i < walls.size(); ++i) {
-    const auto side = std::ranges::find_if(kSides, [&](Side s) { return walls[i] == name(s); });
-    const std::string at = key + ".walls[" + std::to_string(i) + "]";
-    if (side == kSides.end())
-      throw InputError(at, quoted(walls[i]) + " is no wall; " + did_you_mean(walls[i], {"front", "right", "rear", "left"}) +
-                               "allowed: \"front\", \"right\", \"rear\", \"left\"");
-    if (!plan.wall(*side).built) throw InputError(at, quoted(walls[i]) + " is not built (house.walls)");
-  }
+  for (std::size_t i = 0; i < walls.size(); ++i) built_side(plan, walls[i], side_names(), key + ".walls[" + std::to_string(i) + "]");
   std::vector<Side> chosen;
   for (const Side side : kSides) {
     const bool named = walls.empty() || std::ranges::find(walls, name(side)) != walls.end();

@@ -19,16 +19,15 @@ struct PlannedTie {
   std::size_t index = 0;
 };
 
-/// Tells what the ties of a house name that is not there, and heights above its walls, all at once; nothing of a house that cannot be laid
-/// out. \throw InputError, InputErrors
+/// Refuses ties that name walls which are not there, or heights above the house. If the house itself cannot be laid out, nothing is
+/// checked: its own faults come first. \throw InputError of one tie, InputErrors of several
 void check_house_ties(const House& house);
 
 /// The rods of `house.ties` in all copies of the house.
 ///
-/// along: through a wall, an inner one too, from end to end, so that its plates press on the outer faces of the walls that it meets; across: from the outer
-/// face of a wall to that of the opposite wall; corner: from the outer face of a wall to that of the next, across the corner between the
-/// two.
-/// \param foot  m, height of the walls' foot \throw InputError with the key at fault
+/// along: through a wall, an inner one too, from end to end, so that its plates press on the outer faces of the walls that it meets;
+/// across: from the outer face of a wall to that of the opposite wall; corner: from the outer face of a wall to that of the next, across
+/// the corner between the two. \param foot  m, height of the walls' foot \throw InputError with the key at fault
 std::vector<PlannedTie> house_ties(const House& house, double foot);
 
 /// Findings for rods along a wall that run through an opening of the wall: probably unintended. \pre house_ties has accepted the house

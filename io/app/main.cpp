@@ -44,7 +44,8 @@ namespace {
 bool asks_for_json(std::span<char* const> words) {
   for (std::size_t i = 1; i < words.size(); ++i) {
     const std::string_view word = words[i];
-    if (word == "--messages=json" || (word == "--messages" && i + 1 < words.size() && std::string_view(words[i + 1]) == "json")) return true;
+    if (word == "--messages=json" || (word == "--messages" && i + 1 < words.size() && std::string_view(words[i + 1]) == "json"))
+      return true;
   }
   return false;
 }

@@ -62,7 +62,8 @@ void fill_own_frequency(cases::Case& c, int threads) {
                             "is \"auto\", but no mode moves a tenth of the mass along y (voussoir modes lists them once a number stands "
                             "here); give a number of Hz");
   c.damping.frequency = std::strtod(four_digits(mode.frequency).c_str(), nullptr);
-  say_info("damping.frequency = \"auto\": " + mode_words(mode, 1) + (held ? ", with joints without a bond held as if bonded, as by voussoir modes --closed" : ""));
+  say_info("damping.frequency = \"auto\": " + mode_words(mode, 1) +
+           (held ? ", with joints without a bond held as if bonded, as by voussoir modes --closed" : ""));
 }
 
 }  // namespace voussoir::io

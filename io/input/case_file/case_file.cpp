@@ -89,7 +89,8 @@ std::vector<Described> faults_of_model(const std::vector<Fault>& faults, const L
     all = {described(loaded, one)};
   }
   std::erase_if(all, [&](const Described& d) {  // the same place was at fault when it was read
-    return std::ranges::any_of(faults, [&](const Fault& f) { return f.key.starts_with(d.message.key) || d.message.key.starts_with(f.key); });
+    return std::ranges::any_of(faults,
+                               [&](const Fault& f) { return f.key.starts_with(d.message.key) || d.message.key.starts_with(f.key); });
   });
   return all;
 }

@@ -186,12 +186,10 @@ void add_beam_keys(std::vector<Key<S>>& keys, Get floor, const std::string& bear
   keys.push_back(value<S>("spacing", member(&Floor::spacing), "m", above(0.0).usually(usual::kBeamSpacing),
                           "from axis to axis; in each room as many as fit, the rest at both ends"));
   keys.push_back(value<S>("bearing", member(&Floor::bearing), "m", above(0.0).usually(usual::kThickness), bearing));
-  keys.push_back(
-      value<S>("element", member(&Floor::element), "m", above(0.0).usually(usual::kMember), "length of an element of a beam"));
+  keys.push_back(value<S>("element", member(&Floor::element), "m", above(0.0).usually(usual::kMember), "length of an element of a beam"));
   keys.push_back(value<S>("load", member(&Floor::load), "kg/m2", at_least(0.0).usually(usual::kAreaLoad),
                           "mass of boards and all on them; each beam has load x spacing x its length"));
-  keys.push_back(
-      value<S>("joint", member(&Floor::joint), "", filled(), "joint law of beams with walls, or \"dry\": friction alone"));
+  keys.push_back(value<S>("joint", member(&Floor::joint), "", filled(), "joint law of beams with walls, or \"dry\": friction alone"));
   keys.push_back(choice<S>(
       "anchorage", member(&Floor::anchorage), "",
       std::vector<std::pair<std::string, Anchorage>>{
@@ -227,12 +225,11 @@ void add_span_keys(std::vector<Key<S>>& keys, const std::string& what) {
 
 Table<Floor> house_floor_table() {
   using S = Floor;
-  Table<S> table{
-      "beams in pockets of the walls, flush with the top of a storey, with or without a deck",
-      {value<S>("storey", &S::storey, "", within(1.0, 100.0), "the storey under it"),
-       choice<S, PlanAxis S::*, PlanAxis>("along", &S::along, "", {{"x", PlanAxis::x}, {"y", PlanAxis::y}},
-                                          "where its beams run: from wall to wall, through inner walls")},
-      check_beams};
+  Table<S> table{"beams in pockets of the walls, flush with the top of a storey, with or without a deck",
+                 {value<S>("storey", &S::storey, "", within(1.0, 100.0), "the storey under it"),
+                  choice<S, PlanAxis S::*, PlanAxis>("along", &S::along, "", {{"x", PlanAxis::x}, {"y", PlanAxis::y}},
+                                                     "where its beams run: from wall to wall, through inner walls")},
+                 check_beams};
   add_beam_keys(
       table.keys, [](auto& s) -> auto& { return s; },
       "depth of the pockets in the outer walls; half a brick's width or more of a brick stays behind");
@@ -279,8 +276,7 @@ Table<WallRoof> wall_roof_table() {
   keys.push_back(value<S>("bearing", member(&Roof::bearing), "m", above(0.0).usually(usual::kMember),
                           "length of a rafter's seat on a wall, from the wall's inner face; none: the thickness of the wall, at most a "
                           "brick's length; in any case at most as cuts half of the rafter's depth"));
-  keys.push_back(
-      value<S>("element", member(&Roof::element), "m", above(0.0).usually(usual::kMember), "length of an element of a rafter"));
+  keys.push_back(value<S>("element", member(&Roof::element), "m", above(0.0).usually(usual::kMember), "length of an element of a rafter"));
   keys.push_back(value<S>("joint", &S::joint, "", filled(), "joint law of rafters with walls, or \"dry\": friction alone"));
   keys.push_back(value<S>("between_beams", member(&Roof::between_beams), "", filled(),
                           "joint law between the rafters of a pair, in the ridge; \"dry\": friction alone"));

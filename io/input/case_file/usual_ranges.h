@@ -42,7 +42,7 @@ inline constexpr Usual kStep{1e-9, 0.01, 0.0, 10.0};      // s
 inline constexpr Usual kWait{1e-3, 1000.0};               // s: ramps, waiting times, windows, tapers
 inline constexpr Usual kDuration{1e-3, 2000.0};           // s; no shaking lasts longer
 inline constexpr Usual kInterval{1e-6, 10.0, 1e-9, 1e4};  // s, between rows or frames
-inline constexpr Usual kFrames{1e-5, 1e6, 1e-9, 1e9};        // s, between frames; longer than the run: one
+inline constexpr Usual kFrames{1e-5, 1e6, 1e-9, 1e9};     // s, between frames; longer than the run: one
 inline constexpr Usual kSample{1e-4, 0.1};                // s, between samples of a record
 inline constexpr Usual kFactor{1e-3, 50.0};               // on a motion
 inline constexpr Usual kSpectral{0.01, 200.0};            // m/s2

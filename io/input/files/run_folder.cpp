@@ -20,6 +20,7 @@
 #include "io/input/files/descriptor.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/output_path.h"
+#include "io/input/files/sealed_pages.h"
 #include "io/input/files/whole_file.h"
 
 namespace voussoir::io {
@@ -114,20 +115,20 @@ FileKind kind_of_result(const std::string& found) {
   return FileKind::hdf5;
 }
 
-/// Whether the file is a checkpoint by its seal, or begins with zeros, as one does that was not written to its end.
-bool is_sealed_or_unwritten(const std::string& path) {
-  constexpr std::string_view kSeal = "voussoir checkpoint ";
+/// Whether the file begins as a result of that kind: a checkpoint by its seal; with zeros if it was not written to its end.
+bool begins_as(FileKind kind, const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  if (file.peek() == 0) return true;
-  std::string head(kSeal.size(), '\0');
-  return file.read(head.data(), static_cast<std::streamsize>(head.size())) && head == kSeal;
+  std::string head(std::string_view(kSealedCheckpoint).size(), '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  return is_file_of_kind(kind, path) || (file.gcount() > 0 && head.front() == '\0') || head == kSealedCheckpoint;
 }
 
-/// Refuses a file with the name of a result that is none: it would be removed. \throw FileError
+/// Refuses a file that has the name of a result and other contents, since results would remove it. case.toml is told in check_folder.
+/// \throw FileError
 void refuse_other_kind(const std::string& path, const std::string& name) {
   if (const std::string wanted = final_name(name); wanted == "case.toml" || wanted == "limit.json") return;
   const FileKind kind = kind_of_result(name);
-  if (is_file_of_kind(kind, path) || is_sealed_or_unwritten(path)) return;
+  if (begins_as(kind, path)) return;
   throw FileError(path, "is no " + name_of(kind) + ", so no run wrote it, but results would replace it; move it, or give another folder");
 }
 

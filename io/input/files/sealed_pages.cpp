@@ -109,7 +109,7 @@ void PagedFile::read_head(std::uint64_t size) {
   read_raw(0, head.size(), head.data());
   end_ = size;
   // A checkpoint has a seal of its own, over the whole file (check_seal).
-  if (head.starts_with(kHdf5) || head.starts_with("voussoir checkpoint ")) return;
+  if (head.starts_with(kHdf5) || head.starts_with(kSealedCheckpoint)) return;
   if (head.empty()) throw DamagedFile(path_, "is empty");
   unsigned long long contents = 0;
   if (!head.starts_with(kSealedHdf5)) throw DamagedFile(path_, "is no HDF5 file, or its first bytes are damaged");

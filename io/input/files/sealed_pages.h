@@ -20,6 +20,7 @@
 namespace voussoir::io {
 
 /// Start of the header.
+inline constexpr const char* kSealedCheckpoint = "voussoir checkpoint ";  // then the version; written by SealedFile
 inline constexpr const char* kSealedHdf5 = "voussoir sealed HDF5 1\n";
 
 /// Adds header and digests to a complete HDF5 file that was created with a head of kSealBytes. \return its seal, the CRC-32 of its digests

@@ -49,6 +49,17 @@ Vec3 end_of(const TieBar& t, std::size_t end) {
   return at;
 }
 
+/// Several faults of a case, a line each.
+std::string faults_of(const Case& c) {
+  std::string told;
+  try {
+    build_model(c);
+  } catch (const InputErrors& e) {
+    for (const InputError& one : e.all()) told += std::string(one.what()) + "\n";
+  }
+  return told;
+}
+
 void check_run(const TieBar& t, const std::string& name, Vec3 from, Vec3 to) {
   CAPTURE(name);
   CHECK(t.name == name);
@@ -213,6 +224,15 @@ TEST_CASE("house ties: along an inner wall, from outer face to outer face of the
         with.house->ties[0].kind = HouseTieKind::across, with.house->ties[0].at = {0.3}, with.house->ties[0].walls = {"front", "spine"};
       },
       "house.tie[0].walls[1]", "is an inner wall; kind = \"along\" ties one");
+  check_refused(
+      c,
+      [](Case& with) {
+        with.house->ties[0].walls = {"front", "spin"};
+      },
+      "house.tie[0].walls[1]", "did you mean \"spine\"?");
+  check_refused(
+      c, [](Case& with) { with.house->ties[0].heights = {0.5}, with.house->ties[0].walls = {"spine"}; }, "house.tie[0]",
+      "none of its walls stands at these heights");
 }
 
 TEST_CASE("house ties: names and heights are told with what else of the house is at fault") {
@@ -221,12 +241,7 @@ TEST_CASE("house ties: names and heights are told with what else of the house is
   c.house->ties = {rods(HouseTieKind::along, 0.25), rods(HouseTieKind::along, 7.0)};
   c.house->ties[0].walls = {"frnt"};
   c.output.history = {testing::history("far", 99.0, 0.0)};
-  std::string told;
-  try {
-    build_model(c);
-  } catch (const InputErrors& e) {
-    for (const InputError& one : e.all()) told += std::string(one.what()) + "\n";
-  }
+  std::string told = faults_of(c);
   CAPTURE(told);
   CHECK(told.find("house.joint") != std::string::npos);
   CHECK(told.find("\"frnt\" is no wall; did you mean \"front\"?") != std::string::npos);
@@ -235,12 +250,7 @@ TEST_CASE("house ties: names and heights are told with what else of the house is
   c.house->joint = "normal";
   c.house->ties = {rods(HouseTieKind::across, 0.1)};
   c.house->ties[0].walls = {"front"}, c.house->ties[0].at = {0.6};  // in the door
-  told.clear();
-  try {
-    build_model(c);
-  } catch (const InputErrors& e) {
-    for (const InputError& one : e.all()) told += std::string(one.what()) + "\n";
-  }
+  told = faults_of(c);
   CAPTURE(told);
   CHECK(told.find("house.tie[0]: [0.6, 0, 0.1] m lies on no face") != std::string::npos);
   CHECK(told.find("output.history[0].point: \"far\" lies outside the model") != std::string::npos);

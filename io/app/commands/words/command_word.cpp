@@ -15,7 +15,7 @@
 namespace voussoir::io {
 namespace {
 
-/// The option that is meant, which has at least half of the letters in common; empty: none. Both dashes are in all of them, and are no sign.
+/// The known option whose letters are nearest to those of the name; empty: none is near. The two dashes, which all have, do not count.
 std::string nearest_option(const std::string& name, const std::vector<std::string>& names) {
   std::vector<std::string> letters;
   for (const std::string& known : names) letters.push_back(known.substr(2));
@@ -70,8 +70,9 @@ std::string suggested_option(const CLI::App& program, const std::vector<std::str
     const bool one_dash = !name.starts_with("--");
     if (one_dash && known("-" + name)) return name + ": did you mean -" + name + "?\n";
     if (one_dash && app.get_option_no_throw(name.substr(0, 2)) != nullptr) continue;  // a short option with its value
-    std::string near = nearest_option(one_dash ? "-" + name : name, names);
-    if (near.empty()) near = nearest_option(one_dash ? "-" + name : name, before);
+    const std::string meant = one_dash ? "-" + name : name;
+    std::string near = nearest_option(meant, names);
+    if (near.empty()) near = nearest_option(meant, before);
     return near.empty() ? "" : name + ": did you mean " + near + "?\n";
   }
   return "";

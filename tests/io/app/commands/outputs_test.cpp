@@ -204,8 +204,8 @@ TEST_CASE("outputs: what is no table is told from one") {
   using voussoir::io::is_of_kind;
   for (const char* table : {"", "# made\nt [s],x [m]\n0,1\n", "t,x\n", "a,\"b, c\"\n1,2\n", "1,2\n3,4", "t,x\n0,1\n0.1,"})
     CHECK_MESSAGE(is_of_kind(FileKind::table, table), table);
-  for (const char* other : {"#!/bin/sh\necho 1, 2\n", "Dear Sir, I write\nto tell you, briefly, and in short\n", "One line, a sentence.", "a = 1, 2",
-                            "<a, b>", "{ \"a\": 1, \"b\": 2 }"})
+  for (const char* other : {"#!/bin/sh\necho 1, 2\n", "Dear Sir, I write\nto tell you, briefly, and in short\n", "One line, a sentence.",
+                            "a = 1, 2", "<a, b>", "{ \"a\": 1, \"b\": 2 }"})
     CHECK_MESSAGE(!is_of_kind(FileKind::table, other), other);
 }
 

@@ -27,12 +27,12 @@ void touch(const std::string& path, const std::string& text = "x") {
 /// A file as a run leaves it: its first bytes.
 void leave(const std::string& path) {
   const auto is = [&](const char* ending) { return path.find(ending) != std::string::npos; };
-  touch(path, is("case.toml") ? std::string(kResolvedHead) + "\n"
-              : is(".html")   ? "<!DOCTYPE html>"
-              : is(".xdmf")   ? "<Xdmf>"
-              : is(".png")    ? "\x89PNG"
+  touch(path, is("case.toml")    ? std::string(kResolvedHead) + "\n"
+              : is(".html")      ? "<!DOCTYPE html>"
+              : is(".xdmf")      ? "<Xdmf>"
+              : is(".png")       ? "\x89PNG"
               : is("checkpoint") ? "voussoir checkpoint 8\n"
-                              : "\x89HDF\r\n");
+                                 : "\x89HDF\r\n");
 }
 
 std::string text_of(const std::string& path) {
