@@ -6,8 +6,8 @@
 #include "cases/model.h"
 #include "cases/tables/blocks.h"
 
-// How the large structs, and errors, are created, copied and destroyed. Left to the compiler this is compiled, inlined through all their
-// members, in each source that does so: a third of the time that such a source takes.
+// Constructors, copies and destructors of the large structs and of errors. If they were implicit, each source that copies such a struct
+// would compile the copying of all its members anew, which took a third of the compiler's time for it.
 namespace voussoir::cases {
 
 Case::Case() = default;

@@ -385,7 +385,8 @@ Command add_check(CLI::App& program) {
           .work =
               [w, words] {
                 if (!is_run(w->c.name)) return with_case(w->c, [w](const auto& c) { return check(c, w->o, w->c.threads); });
-                refuse_options(*words, {"--format"}, "goes with a case; of " + w->c.name + ", the folder of a run, check reads every byte");
+                refuse_options(*words, {"--format"},
+                               "goes with a case; " + w->c.name + " is the folder of a run, whose files check only verifies");
                 return check_results(w->c.name, w->o.json);
               },
           .threads = &w->c.threads};
