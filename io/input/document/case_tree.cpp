@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "io/input/document/case_values.h"
+#include "io/input/document/written_units.h"
 
 namespace voussoir::io {
 namespace {
@@ -105,10 +106,14 @@ Entry* find_entry(Node::Table& table, std::string_view name) noexcept {
 
 namespace {
 
+std::string_view line_of(std::string_view text, int number) {
+  for (int line = 1; line < number; ++line) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  return text.substr(0, text.find('\n'));
+}
+
 /// The fault for invalid UTF-8, which the parser found after `near`.
 SyntaxError encoding_error(std::string_view text, Source near) {
-  std::size_t at = 0;
-  for (int line = 1; line < near.line; ++line) at = std::min(text.find('\n', at), text.size() - 1) + 1;
+  std::size_t at = static_cast<std::size_t>(line_of(text, near.line).data() - text.data());
   at = std::min(at + static_cast<std::size_t>(std::max(near.column - 1, 0)), text.size());
   while (at < text.size() && static_cast<unsigned char>(text[at]) < 0x80U) ++at;
   std::array<char, 8> byte{};
@@ -129,7 +134,8 @@ Node parse_document(std::string_view text) {
   } catch (const toml::parse_error& e) {
     const Source at = source_of(e.source());
     if (std::string_view(e.description()).find("utf-8") != std::string_view::npos) throw encoding_error(text, at);
-    throw SyntaxError(std::string(e.description()), at.line, at.column);
+    const std::string remedy = unit_in_line(line_of(text, at.line), static_cast<std::size_t>(std::max(at.column, 0)));
+    throw SyntaxError(remedy.empty() ? std::string(e.description()) : remedy, at.line, at.column);
   }
 }
 

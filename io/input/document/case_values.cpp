@@ -10,6 +10,7 @@
 #include <cstdlib>
 
 #include "cases/names.h"
+#include "io/input/document/written_units.h"
 
 namespace voussoir::io {
 namespace {
@@ -129,9 +130,12 @@ std::vector<Fault> Reading::all() const {
 
 void Reading::wrong_type(const Node& node, const std::string& path, const KeyInfo& info) {
   const std::string limits = info.limits.text();
+  const auto* text = node.as<std::string>();
+  const std::string remedy = text != nullptr && info.shape.find("a number") != std::string::npos && !info.shape.starts_with("an array") ? without_unit(*text, info.unit) : "";
   const std::string details = info.unit.empty() || limits.empty() ? info.unit + limits : info.unit + ", " + limits;
   fault({node.source, path, short_text(node),
-         "found " + kind_of(node) + ", wanted " + info.shape + (details.empty() ? "" : " (" + details + ")"),
+         "found " + kind_of(node) + ", wanted " + info.shape + (details.empty() ? "" : " (" + details + ")") +
+             (remedy.empty() ? "" : "; " + remedy),
          info.allowed()});
 }
 
@@ -142,7 +146,9 @@ void Reading::bad_value(const Node& node, const std::string& path, const KeyInfo
 
 bool Reading::mistyped(const Node& node, const std::string& path, const KeyInfo& info, const std::vector<std::string>& words) {
   const auto* given = node.as<std::string>();
-  const std::string meant = given == nullptr ? "" : cases::did_you_mean(*given, words);
+  std::string meant = given == nullptr ? "" : cases::did_you_mean(*given, words);
+  if (const std::string unit = given == nullptr ? "" : unit_name(*given); std::ranges::find(words, unit) != words.end())
+    meant = "did you mean " + cases::quoted(unit) + "? ";
   if (meant.empty()) return false;
   bad_value(node, path, info, "must be " + info.shape + "; " + meant.substr(0, meant.size() - 1));
   return true;
@@ -162,8 +168,7 @@ void Reading::missing_key(const Node& table, const std::string& table_path, cons
   const std::string unit = info.unit.empty() ? "" : ", " + info.unit;
   const std::string limits = info.limits.text();
   fault({table.source, path_to(table_path, info.name), "",
-         "is missing; wanted " + info.shape + unit + (limits.empty() ? "" : ", " + limits) + ": " + info.sentence,
-         info.allowed()});
+         "is missing; wanted " + info.shape + unit + (limits.empty() ? "" : ", " + limits) + ": " + info.sentence, info.allowed()});
 }
 
 void Reading::know(const std::string& path, const Node& node, const std::string& unit) {
