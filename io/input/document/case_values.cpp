@@ -131,7 +131,9 @@ std::vector<Fault> Reading::all() const {
 void Reading::wrong_type(const Node& node, const std::string& path, const KeyInfo& info) {
   const std::string limits = info.limits.text();
   const auto* text = node.as<std::string>();
-  const std::string remedy = text != nullptr && info.shape.find("a number") != std::string::npos && !info.shape.starts_with("an array") ? without_unit(*text, info.unit) : "";
+  const std::string remedy = text != nullptr && info.shape.find("a number") != std::string::npos && !info.shape.starts_with("an array")
+                                 ? without_unit(*text, info.unit)
+                                 : "";
   const std::string details = info.unit.empty() || limits.empty() ? info.unit + limits : info.unit + ", " + limits;
   fault({node.source, path, short_text(node),
          "found " + kind_of(node) + ", wanted " + info.shape + (details.empty() ? "" : " (" + details + ")") +
