@@ -46,6 +46,27 @@ void read_support(const std::string& path, std::size_t bytes) {
   check(model.support_motions[0], bytes);
 }
 
+/// One file for two supports, beside one that goes its way without a file, and for a load: supports may turn, loads may not.
+void read_supports(const std::string& path, std::size_t bytes) {
+  cases::Model model;
+  for (const char* file : {path.c_str(), "", path.c_str()}) {
+    cases::Block block;
+    block.support_motion = static_cast<std::int32_t>(model.support_motions.size());
+    model.blocks.push_back(std::move(block));
+    model.support_motions.push_back({{0.0, 1.0}, {{}, {0.0, 0.0, -0.01}}, false, file, "block.motion"});
+    if (*file != '\0') model.support_motions.back().time.clear(), model.support_motions.back().displacement.clear();
+  }
+  io::load_support_motions(model, "");
+  check(model.support_motions[0], bytes);
+  if (model.support_motions[1].time.back() != model.support_motions[0].time.back()) std::abort();
+  const auto& turned = model.support_motions[2].rotation;
+  if (!turned.empty() && turned.size() != model.support_motions[2].time.size()) std::abort();
+  cases::Model loaded;
+  loaded.support_motions.push_back({{}, {}, false, path, "load.history"}), loaded.load_history = {0};
+  io::load_support_motions(loaded, "");
+  if (!loaded.support_motions[0].rotation.empty()) std::abort();
+}
+
 using Reader = std::vector<io::Channel> (*)(const std::string&);
 constexpr Reader kReaders[] = {io::read_bhrc, io::read_cosmos, io::read_csmip, io::read_esm, io::read_geonet, io::read_knet};
 constexpr unsigned kFormats = 4 + std::size(kReaders);
@@ -75,6 +96,7 @@ void read_any(const std::string& path, std::size_t bytes) {
 /// What the first byte chooses.
 void read(std::uint8_t choice, const std::string& path, std::size_t bytes) {
   if (choice == 'T') return read_target(path);               // a target spectrum
+  if (choice == 'S') return read_supports(path, bytes);      // ways of supports and of a load
   if (choice == 'A') return read_any(path, bytes);           // a format that its first lines tell
   if (choice == 'C') return read_any(path + ".csv", bytes);  // or CSV
   switch (choice % kFormats) {

@@ -179,7 +179,7 @@ std::vector<Sample> samples(const Folder& folder) {
   };
   for (const char* name : {"pushover", "cyclic"}) all.emplace_back(next(), kept(name));
   for (const Parts parts : {Parts::kept, Parts::spoilt}) all.emplace_back(next(), kept("parted"), kept("parted-0000"), parts);
-  for (const char* name : {"storeys", "rest", "settlement", "lost", "slides", "long", "level"}) all.emplace_back(next(), kept(name));
+  for (const char* name : {"storeys", "rest", "settlement", "lost", "hangs", "long", "level"}) all.emplace_back(next(), kept(name));
   all.emplace_back(next(), kept("parted"), kept("parted-0000"), Parts::lost);
   all.emplace_back(next(), kept("stopped"), kept("stopped-0000"), Parts::kept);
   if (all.size() > kMostSamples) std::abort();
