@@ -65,9 +65,12 @@ InterpenetrationCheck::InterpenetrationCheck(const Hdf5File& run, const Building
     : body_(bodies_of(run, start)),
       placed_(body_),
       half_segment_(half_segments(run, start.size())),
+      fixed_(start.size()),
       has_base_(building.has_base),
       base_(building.base),
-      box_(start.size()) {}
+      box_(start.size()) {
+  for (std::size_t e = 0; e < fixed_.size(); ++e) fixed_[e] = building.mass[e] == 0.0 ? 1 : 0;
+}
 
 void InterpenetrationCheck::place_all(const std::vector<Pose>& poses, double wider) {
   for (std::size_t e = 0; e < poses.size(); ++e) {
@@ -108,11 +111,11 @@ Interpenetration InterpenetrationCheck::at(const std::vector<Pose>& poses) {
   if (half_segment_.empty()) now.deep_pairs = -1;
   begin_with_last(now);
   for (std::size_t e = 0; e < poses.size(); ++e) {
-    if (has_base_) take_base(e, now);
+    if (has_base_ && fixed_[e] == 0) take_base(e, now);
     near_.clear();
     grid_.query(box_[e], near_);
     for (const std::int32_t other : near_)
-      if (other > static_cast<std::int32_t>(e)) take_pair(static_cast<std::int32_t>(e), other, now);
+      if (is_pair(e, other)) take_pair(static_cast<std::int32_t>(e), other, now);
   }
   last_a_ = now.a, last_b_ = now.b;
   return now;
@@ -127,10 +130,10 @@ std::int64_t InterpenetrationCheck::touching_pairs(const std::vector<Pose>& pose
   place_all(poses, 0.5 * kTouch);
   std::int64_t pairs = 0;
   for (std::size_t e = 0; e < poses.size(); ++e) {
-    pairs += has_base_ && geometry::depth_under(placed_[e], base_) >= -kTouch;
+    pairs += has_base_ && fixed_[e] == 0 && geometry::depth_under(placed_[e], base_) >= -kTouch;
     near_.clear();
     grid_.query(box_[e], near_);
-    for (const std::int32_t other : near_) pairs += other > static_cast<std::int32_t>(e) && touch(static_cast<std::int32_t>(e), other);
+    for (const std::int32_t other : near_) pairs += is_pair(e, other) && touch(static_cast<std::int32_t>(e), other);
   }
   return pairs;
 }

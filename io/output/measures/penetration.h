@@ -24,8 +24,8 @@ struct Interpenetration {
   std::int64_t deep_pairs = 0;  // pairs deeper than half of the larger segment of both; -1: segment sizes are unknown
 };
 
-/// Tests every pair of elements, bonded or not, fixed or not, by the exact method of geometry/separation.h. For use by one thread; frames
-/// in order.
+/// Tests every pair of bodies of which one at least is free, bonded or not, by the exact method of geometry/separation.h. Two supports are
+/// no pair, nor a support and the base: nothing keeps them apart. For use by one thread; frames in order.
 class InterpenetrationCheck {
  public:
   /// \param run  its /model \throw FileError
@@ -40,10 +40,15 @@ class InterpenetrationCheck {
   void begin_with_last(Interpenetration& now) const;
   void take_base(std::size_t element, Interpenetration& now) const;
   void take_pair(std::int32_t a, std::int32_t b, Interpenetration& now) const;
+  /// Whether these elements are a pair, counted from `a`.
+  [[nodiscard]] bool is_pair(std::size_t a, std::int32_t b) const {
+    return b > static_cast<std::int32_t>(a) && (fixed_[a] == 0 || fixed_[static_cast<std::size_t>(b)] == 0);
+  }
   [[nodiscard]] bool touch(std::int32_t a, std::int32_t b) const;
 
   std::vector<geometry::ConvexBody> body_, placed_;  // relative to the initial centroid; as placed in the current frame
   std::vector<double> half_segment_;                 // m; empty: unknown
+  std::vector<std::uint8_t> fixed_;                  // 1: a support
   bool has_base_;
   double base_;
   std::vector<geometry::Box3> box_;

@@ -89,6 +89,22 @@ TEST_CASE("interpenetration: the base is a body, where there is one") {
   }
 }
 
+TEST_CASE("interpenetration: supports are in each other and in the base without a word, a free body in a support is not") {
+  for (const int free : {0, 1, 2}) {  // bodies that are free
+    cases::Model model = two_bricks();
+    for (int b = 0; b < 2; ++b) model.blocks[static_cast<std::size_t>(b)].fixed = b >= free;
+    Frames f(kOnBase, model);
+    f.add({0.05, 0.05, 0.05}, {0.15, 0.05, 0.05});
+    f.add({0.05, 0.05, 0.05}, {0.12, 0.05, 0.01});  // 30 mm in the other, 40 mm in the base
+    const Measures m = f.measures();
+    const double expected = free == 0 ? 0.0 : free == 1 ? 0.03 : 0.04;
+    CHECK(std::abs(m.penetration - expected) < kFloat);
+    CHECK(std::abs(m.base_penetration - (free == 2 ? 0.04 : 0.0)) < kFloat);
+    CHECK(m.deep_pairs == (free == 0 ? 0 : free == 1 ? 1 : 2));
+    CHECK(m.touching_pairs == (free == 0 ? 0 : free == 1 ? 2 : 3));
+  }
+}
+
 TEST_CASE("interpenetration: the depths are the same wherever the model stands, and whatever height its base has there") {
   cases::Model far = two_bricks();
   far.origin = {650001, 4820000, 312};
