@@ -103,7 +103,8 @@ int assess(const AssessOptions& o) {
   const Assessment a = assess(run, c, building, o.time, o.levels);
   const cases::GroundMotion base = base_of_run(run, c);
   const std::vector<FloorAcceleration> points = floor_accelerations(run, history_names(c), base);
-  std::fputs((o.json ? assessment_json(a, points, base, capacity) : assessment_text(a, points, base)).c_str(), stdout);
+  const auto shaken = capacity ? std::vector<FloorAcceleration>() : points;  // an analysis leaves the motion out
+  std::fputs((o.json ? assessment_json(a, points, base, capacity) : assessment_text(a, shaken, base)).c_str(), stdout);
   if (capacity && !o.json) std::fputs(("\ncapacity\n" + capacity_text(*capacity)).c_str(), stdout);
   if (!o.json) std::fputs(loads_text(load_measures(run)).c_str(), stdout);
   std::fflush(stdout);  // before names of maps, on standard error: both may go to one file

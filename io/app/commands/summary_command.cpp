@@ -196,7 +196,8 @@ void print_end(const Json& s) {
   line("", s["rows"].get<std::string>());
 }
 
-void print_table(const Json& s, const Measures& m) {
+/// \param moves  false: an analysis by states of rest, whose speeds are those of the search
+void print_table(const Json& s, const Measures& m, bool moves) {
   print_end(s);
   print_grade(m);
   line("collapsed", m.collapse_time >= 0 ? "at " + seconds(m.collapse_time) : s["collapsed"] != 0 ? "yes" : "no");
@@ -218,8 +219,8 @@ void print_table(const Json& s, const Measures& m) {
     const std::string share = s.contains("base_shear_over_weight") ? text(", %.3f of the weight", s["base_shear_over_weight"]) : "";
     line_of_chance(m, "peak base shear", text("%.1f kN", 1e-3 * s["peak_base_shear"].get<double>()) + share);
   }
-  if (s.contains("peak_speed")) line_of_chance(m, "peak speed", text("%.2f m/s", s["peak_speed"]));
-  for (const PointAcceleration& p : m.accelerations.points)
+  if (moves && s.contains("peak_speed")) line_of_chance(m, "peak speed", text("%.2f m/s", s["peak_speed"]));
+  for (const PointAcceleration& p : moves ? m.accelerations.points : std::vector<PointAcceleration>())
     line_of_chance(m, "peak acceleration", text("%.2f m/s2", p.peak_horizontal) + " at " + p.name + ", horizontal, below 50 Hz");
   if (s.contains("state_hash")) line("state hash", s["state_hash"]);
   print_walls(m);
@@ -284,7 +285,7 @@ int print_summary(const SummaryOptions& o) {
   if (o.json) {
     std::printf("%s\n", summary.dump(1, ' ', false, Json::error_handler_t::replace).c_str());
   } else {
-    print_table(summary, m);
+    print_table(summary, m, !(capacity && capacity->by_rest()));
     if (capacity) std::printf("\n%s", capacity_text(*capacity).c_str());
   }
   return kDone;

@@ -49,7 +49,8 @@ class Signals {
   }
 };
 
-void print_summary(const solver::Summary& s, std::uint64_t hash, const std::string& folder, bool stopped) {
+/// \param moves  false: an analysis by states of rest, whose speeds are those of the search
+void print_summary(const solver::Summary& s, std::uint64_t hash, const std::string& folder, bool stopped, bool moves) {
   std::printf("collapsed            %s\n", s.collapsed ? "yes" : stopped ? "not so far" : "no");
   std::printf("fallen mass          %.1f %%\n", 100.0 * s.fallen_mass_fraction);
   std::printf("first crack          ");
@@ -66,7 +67,7 @@ void print_summary(const solver::Summary& s, std::uint64_t hash, const std::stri
   by_mode("of them settling", s.settling.tension, s.settling.shear, s.settling.compression);
   std::printf("; %s had slipped and held\n", format_count(s.settling.slipped).c_str());
   std::printf("peak base shear      %.1f kN\n", 1e-3 * s.peak_base_shear);
-  std::printf("peak speed           %.2f m/s\n", s.peak_speed);
+  if (moves) std::printf("peak speed           %.2f m/s\n", s.peak_speed);
   std::printf("energy error         %.2g at worst, of all energy\n", s.worst_residual);
   std::printf("state hash           %016llx\n", static_cast<unsigned long long>(hash));
   if (!s.settled && s.end_time >= 0.0)
@@ -252,7 +253,7 @@ int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState&
       std::fputs(stop_lines(c, r.summary.end_time, static_cast<int>(stop_signal), folder).c_str(), stdout);
       say_json(stop_json(c, r.summary.end_time, static_cast<int>(stop_signal), folder));
     }
-    print_summary(r.summary, hash, folder, r.stopped);
+    print_summary(r.summary, hash, folder, r.stopped, !(results.capacity() && results.capacity()->by_rest()));
     if (results.capacity()) std::printf("%s", capacity_text(*results.capacity()).c_str());
     if (results.measures()) std::fputs(loads_text(results.measures()->loads).c_str(), stdout);
     print_tie_outcome(sim.world().ties, sim.world().model);

@@ -13,6 +13,7 @@
 /// Output of `voussoir assess`, as text or as one JSON object.
 namespace voussoir::io {
 
+/// \param points  empty: no table of accelerations
 std::string assessment_text(const Assessment& a, const std::vector<FloorAcceleration>& points, const cases::GroundMotion& base);
 /// \param capacity  of a quasi-static analysis, if it is one
 std::string assessment_json(const Assessment& a, const std::vector<FloorAcceleration>& points, const cases::GroundMotion& base,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -67,6 +68,9 @@ struct Capacity {
   std::vector<std::string> mechanism, mechanism_at_end;                         // bodies that move as one, with their motion
   double mechanism_time = 0.0;                                                  // s, time of the frame
   CapacityCurve curve;
+
+  /// Whether each row is a state of rest: times then count iterations, and speeds are those of the search.
+  [[nodiscard]] bool by_rest() const noexcept { return !std::isnan(unbalanced); }
 };
 
 /// Complete cycles of a curve. \param weight  N, of all forces at a load factor of 1

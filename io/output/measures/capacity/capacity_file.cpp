@@ -235,6 +235,7 @@ std::string capacity_text(const Capacity& c) {
   std::string text = failed ? line("analysis", "%s, ended by: %s; figures up to there", name_of(c.kind), c.ended.c_str())
                      : on   ? line("analysis", "%s, not at its end: figures so far", name_of(c.kind))
                             : line("analysis", "%s, ended by: %s", name_of(c.kind), c.ended.c_str());
+  if (c.by_rest()) text += line("times", "of the search for states of rest: they order what happens, and are no seconds of a movement");
   for (const std::string& doubt : not_proven(c)) text += line("not proven", "%s", doubt.c_str());
   if (c.control) {
     const Vec3 p = c.control->position;

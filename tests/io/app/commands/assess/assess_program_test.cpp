@@ -194,3 +194,18 @@ TEST_CASE("limit: the kinematic analysis of a block, and what it asks for" * doc
                           "--kinematic --demand ec8:1:B:0.2g --height 9 --building-height 8 --building-period 0.3"})
     CHECK_MESSAGE(w.run(std::string("limit block.toml --associated --quiet ") + bad).code == 2, bad);
 }
+
+TEST_CASE("states of rest have no speeds and no accelerations, and their times are explained") {
+  const Words w;
+  const shell::Outcome run = w.output("run block.toml -o rest --set analysis.kind=rest --quiet");
+  REQUIRE_MESSAGE(run.code == 0, run.text);
+  const shell::Outcome summary = w.output("summary rest"), assess = w.output("assess rest");
+  for (const shell::Outcome* o : {&run, &summary, &assess}) {
+    CHECK_MESSAGE(o->text.find("times                of the search for states of rest") != std::string::npos, o->text);
+    CHECK_MESSAGE(o->text.find("peak speed") == std::string::npos, o->text);
+    CHECK_MESSAGE(o->text.find("acceleration") == std::string::npos, o->text);
+  }
+  REQUIRE(w.output("run block.toml -o shaken --quiet").code == 0);
+  CHECK(w.output("summary shaken").text.find("peak speed") != std::string::npos);
+  CHECK(w.output("assess shaken").text.find("acceleration [m/s2]") != std::string::npos);
+}
