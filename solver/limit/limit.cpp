@@ -37,7 +37,7 @@ class Analysis {
         plane_(plane_of(out.contacts, forces_, direction_)),
         cone_(plane_ ? FrictionCone::in_plane() : FrictionCone(o.facets, o.outer)),
         balance_(out.contacts, forces_, plane_),
-        programmes_(balance_, cone_, o.inside_from),
+        programmes_(balance_, cone_, {o.inside_from, o.iterated}),
         checks_(model, out.contacts, forces_, cone_, direction_),
         tick_(o.tick) {
     out.plane = plane_.has_value();

@@ -28,6 +28,7 @@ struct LimitOptions {
   int facets = 8;                                                 // of the friction cone, >= 4; in a plane there are two, which are exact
   bool outer = false;                                             // circumscribed facets instead of inscribed ones
   std::function<void(int programmes, double multiplier)> tick{};  // called after every programme; may be empty
+  LpWatch iterated{};                                             // called after every iteration of a large programme; may be empty
   bool coulomb = true;                // false: only the associated multiplier, by one programme; LimitResult::coulomb stays empty
   std::size_t inside_from = kLpHuge;  // number of unknowns from which on programmes are solved by an interior-point method instead of Clp
 };

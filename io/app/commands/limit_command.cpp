@@ -21,7 +21,7 @@
 #include "io/app/session/exit_code.h"
 #include "io/app/session/prepared_case.h"
 #include "io/app/session/process.h"
-#include "io/app/session/progress.h"
+#include "io/app/session/words/limit_progress.h"
 #include "io/input/files/errors.h"
 #include "io/input/files/output_path.h"
 #include "io/input/messages/messages.h"
@@ -131,14 +131,6 @@ std::string words_of(const LiveLoad& live, const LimitCommandOptions& o) {
   return "multiplier x weight" + (on.empty() ? "" : " of" + on.substr(3)) + ", along " + along;
 }
 
-/// Prints a line of progress that is overwritten.
-std::function<void(int, double)> ticker(bool coulomb) {
-  const int least = coulomb ? solver::LimitResult::kLeastProgrammes : 1, most = coulomb ? solver::LimitResult::kMostProgrammes : 1;
-  return [least, most](int programmes, double multiplier) {
-    std::fprintf(stderr, "\rlinear programme %d of %d to %d: multiplier %.5f", programmes, least, most, multiplier);
-  };
-}
-
 /// What the kinematic verification is asked for; nothing without --kinematic. \throw cases::InputError, FileError
 std::optional<KinematicQuestion> kinematic_question(const LimitCommandOptions& o, const LiveLoad& live) {
   const bool at_height = o.height || o.top || o.period;
@@ -198,21 +190,21 @@ int limit(const LoadedCase& c, const LimitCommandOptions& o, int threads) {
   asked.kinematic = kinematic_question(o, asked.options.live);
   asked.live = words_of(asked.options.live, o);
   asked.options.coulomb = !o.associated;
-  const bool on_terminal = Progress::mode_for(2, o.quiet) == Progress::Mode::terminal;
-  if (on_terminal) asked.options.tick = ticker(asked.options.coulomb);
+  std::optional<LimitProgress> progress(std::in_place, o.quiet, asked.options.coulomb);
+  progress->watch(asked.options);
   now_doing("building the model");
   const cases::Model model = cases::build_model(c.value, threads);
   now_doing("looking for the multiplier");
   say_of_ties(model);
   if (o.path.empty()) {
     const solver::LimitResult found = solver::limit_analysis(c.value, model, asked.options);
-    if (on_terminal) std::fputc('\n', stderr);
+    progress.reset();
     return tell(asked, o, c.value, model, found, nullptr);
   }
   std::vector<Vec3> corners = points_of(o.path, "--path");
   for (Vec3& corner : corners) corner -= model.origin;
   const solver::LoadPath path = solver::limit_along_path(c.value, model, asked.options, corners, o.positions);
-  if (on_terminal) std::fputc('\n', stderr);
+  progress.reset();
   if (!path.weakest)
     throw solver::NothingFalls("--path", "nothing falls at any place of it, whatever the force, or it meets no block that can move");
   return tell(asked, o, c.value, model, *path.positions[*path.weakest].found, &path);

@@ -10,6 +10,7 @@
 #include <cstdlib>
 
 #include "cases/names.h"
+#include "io/input/document/other_names.h"
 #include "io/input/document/written_units.h"
 
 namespace voussoir::io {
@@ -161,9 +162,12 @@ void Reading::unknown_key(const Entry& entry, const std::string& table_path, con
     ++count_;
     return;
   }
+  const std::string meant = meant_key(entry.name, allowed);
   const std::string table = table_path.empty() ? "the case file" : "[" + table_path + "]";
   fault({entry.node.source, cut(path_to(table_path, entry.name)), "",
-         "unknown key; " + cases::did_you_mean(entry.name, allowed) + "Keys of " + table + ": " + joined(allowed), joined(allowed)});
+         "unknown key; " + (meant.empty() ? cases::did_you_mean(entry.name, allowed) : "did you mean " + cases::quoted(meant) + "? ") +
+             "Keys of " + table + ": " + joined(allowed),
+         joined(allowed)});
 }
 
 void Reading::missing_key(const Node& table, const std::string& table_path, const KeyInfo& info) {

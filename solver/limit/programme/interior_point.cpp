@@ -168,10 +168,11 @@ class Method {
  public:
   explicit Method(const Programme& p) : p_(p), normal_(p.matrix) {}
 
-  std::optional<InteriorPoint> run() {
+  std::optional<InteriorPoint> run(const LpWatch& watch) {
     if (!start()) return {};
     for (int i = 0; i < kMostIterations; ++i) {
       find_residuals();
+      if (watch) watch(i, gap());
       if (is_done()) return InteriorPoint{{x_.begin(), x_.end()}, {y_.begin(), y_.end()}, i};
       if (!step()) return {};
     }
@@ -198,10 +199,13 @@ class Method {
     dual_ = p_.costs - prices_of(p_.matrix, y_) - z_;
     mean_ = x_.dot(z_) / static_cast<double>(x_.size());
   }
+  [[nodiscard]] double gap() const {
+    const double cost = p_.costs.dot(x_);
+    return std::abs(cost - p_.right.dot(y_)) / (1.0 + std::abs(cost));
+  }
   [[nodiscard]] bool is_done() const {
-    const double cost = p_.costs.dot(x_), gap = std::abs(cost - p_.right.dot(y_));
     return primal_.norm() <= kTolerance * (1.0 + p_.right.norm()) && dual_.norm() <= kTolerance * (1.0 + p_.costs.norm()) &&
-           gap <= kTolerance * (1.0 + std::abs(cost));
+           gap() <= kTolerance;
   }
   struct Change {
     VectorXd x, y, z;
@@ -270,9 +274,9 @@ class Method {
 
 }  // namespace
 
-std::optional<InteriorPoint> interior_point(const InteriorProgramme& programme) {
+std::optional<InteriorPoint> interior_point(const InteriorProgramme& programme, const LpWatch& watch) {
   const Programme p = programme_of(programme);
-  return Method(p).run();
+  return Method(p).run(watch);
 }
 
 }  // namespace voussoir::solver

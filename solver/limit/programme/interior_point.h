@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -27,7 +28,10 @@ struct InteriorPoint {
   int iterations = 0;
 };
 
+/// Called after each iteration with the gap between both programmes, relative to their value.
+using LpWatch = std::function<void(int iteration, double gap)>;
+
 /// A solution with residuals and gap below 1e-8 of their scales; none if the method does not converge (there may be no solution).
-std::optional<InteriorPoint> interior_point(const InteriorProgramme& programme);
+std::optional<InteriorPoint> interior_point(const InteriorProgramme& programme, const LpWatch& watch = {});
 
 }  // namespace voussoir::solver

@@ -59,7 +59,7 @@ LpSolution LinearProgramme::by_clp(Method /*method*/) const { throw std::logic_e
 #endif
 
 /// The bound is one more equation: (first unknown + what is left) / bound = 1.
-LpSolution LinearProgramme::by_interior_point() const {
+LpSolution LinearProgramme::by_interior_point(const LpWatch& watch) const {
   const std::size_t rows = right_.size();
   InteriorProgramme p;
   p.right = right_;
@@ -71,7 +71,7 @@ LpSolution LinearProgramme::by_interior_point() const {
   }
   p.add(rows, 1.0 / bound_);
   p.end_column(0.0);
-  std::optional<InteriorPoint> found = interior_point(p);
+  std::optional<InteriorPoint> found = interior_point(p, watch);
   if (!found) return {LpOutcome::none, {}, {}};
   found->unknowns.pop_back();
   found->prices.pop_back();
@@ -107,14 +107,14 @@ bool LinearProgramme::is_optimal(const LpSolution& s, double tolerance) const {
          std::abs(bound - value) <= 1e3 * tolerance * scale;
 }
 
-LpSolution LinearProgramme::solve(std::size_t inside_from) const {
+LpSolution LinearProgramme::solve(const LpOptions& options) const {
   std::vector<Method> methods{Method::dual, Method::primal, Method::barrier, Method::inside};
-  if (columns() >= inside_from)
+  if (columns() >= options.inside_from)
     methods = {Method::inside};
   else if (columns() >= kLpLarge)
     methods = {Method::barrier, Method::dual, Method::primal, Method::inside};
   for (const Method method : methods) {
-    LpSolution found = method == Method::inside ? by_interior_point() : by_clp(method);
+    LpSolution found = method == Method::inside ? by_interior_point(options.watch) : by_clp(method);
     const double tolerance = method == Method::inside ? kInside : kExact;
     if (!is_optimal(found, tolerance)) continue;
     if (goal_ == LpGoal::most && found.unknowns.front() > (1.0 - tolerance) * bound_) found.outcome = LpOutcome::at_bound;

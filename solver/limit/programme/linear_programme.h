@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "solver/limit/programme/interior_point.h"
+
 namespace voussoir::solver {
 
 /// Whether this program was built with Clp (linear programming of COIN-OR, EPL-2.0), which limit analysis needs.
@@ -22,6 +24,11 @@ inline constexpr double kLpBound = 1e3;
 inline constexpr std::size_t kLpLarge = 5000;
 /// Number of unknowns, as of a house, from which on the method of interior_point.h is used, which keeps the equations sparse.
 inline constexpr std::size_t kLpHuge = 50000;
+
+struct LpOptions {
+  std::size_t inside_from = kLpHuge;  // number of unknowns from which on the interior-point method comes first, without the simplex methods
+  LpWatch watch{};                    // of the interior-point method; may be empty
+};
 
 struct LpSolution {
   LpOutcome outcome = LpOutcome::solved;
@@ -47,14 +54,13 @@ class LinearProgramme {
 
   /// Solves the programme. Methods are tried in turn until one gives unknowns and prices that prove each other optimal: equations, signs
   /// and gap to 1e-9 (interior-point method: 1e-6) of the largest numbers in each. The status reported by a method is not relied on.
-  /// \param inside_from  number of unknowns from which on the interior-point method comes first and the simplex methods are left out
   /// \throw std::logic_error if this program has no linear programmes
-  [[nodiscard]] LpSolution solve(std::size_t inside_from = kLpHuge) const;
+  [[nodiscard]] LpSolution solve(const LpOptions& options = {}) const;
 
  private:
   enum class Method { dual, primal, barrier, inside };
   [[nodiscard]] LpSolution by_clp(Method method) const;
-  [[nodiscard]] LpSolution by_interior_point() const;
+  [[nodiscard]] LpSolution by_interior_point(const LpWatch& watch) const;
   /// Whether unknowns and prices prove each other optimal.
   [[nodiscard]] bool is_optimal(const LpSolution& s, double tolerance) const;
   [[nodiscard]] double cost() const noexcept { return goal_ == LpGoal::most ? 1.0 : -1.0; }

@@ -60,7 +60,7 @@ ProgrammeSolution Programmes::solve(const ConeProgramme& p) const {
     edges.push_back(e);
   }
   const TieColumns ties(balance_, lp, balance_.rows(), p.ties);
-  const LpSolution found = lp.solve(inside_from_);
+  const LpSolution found = lp.solve(options_);
   ProgrammeSolution out;
   out.outcome = found.outcome;
   if (found.outcome == LpOutcome::none) return out;
@@ -92,7 +92,7 @@ ProgrammeSolution Programmes::solve_yield(const std::vector<double>& cohesion, c
     lp.right(rows + i) = cohesion[i];
   }
   const TieColumns ties(balance_, lp, rows + points.size(), {});
-  const LpSolution found = lp.solve(inside_from_);
+  const LpSolution found = lp.solve(options_);
   ProgrammeSolution out;
   out.outcome = found.outcome;
   if (found.outcome == LpOutcome::none) return out;
@@ -123,7 +123,7 @@ ProgrammeSolution Programmes::solve_cheapest(const std::function<double(std::siz
     lp.end_column();
   }
   const TieColumns ties(balance_, lp, rows + 1, {.yielding = true, .costs = tie_costs, .cost_row = rows});
-  const LpSolution found = lp.solve(inside_from_);
+  const LpSolution found = lp.solve(options_);
   ProgrammeSolution out;
   out.outcome = found.outcome;
   if (found.outcome == LpOutcome::none) return out;

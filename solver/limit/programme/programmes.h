@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "kernels/rows.h"
@@ -47,9 +48,8 @@ struct ConeProgramme {
 
 class Programmes {
  public:
-  /// \param inside_from  number of unknowns from which on the interior-point method is used
-  Programmes(const Balance& balance, const FrictionCone& cone, std::size_t inside_from)
-      : balance_(balance), cone_(cone), inside_from_(inside_from) {}
+  Programmes(const Balance& balance, const FrictionCone& cone, LpOptions options)
+      : balance_(balance), cone_(cone), options_(std::move(options)) {}
 
   [[nodiscard]] ProgrammeSolution solve(const ConeProgramme& p) const;
   /// The largest multiple of the live forces with a shear at each point of at most cohesion + slope × compression (and in the polygon).
@@ -71,7 +71,7 @@ class Programmes {
 
   const Balance& balance_;
   const FrictionCone& cone_;
-  std::size_t inside_from_;
+  LpOptions options_;
 };
 
 }  // namespace voussoir::solver

@@ -48,3 +48,21 @@ TEST_CASE("faults: a number with a unit comes with the number to write") {
   CHECK(refusal("[[stones]]\nfile = \"a.obj\"\nunit = \"Millimeters\"").ends_with("; did you mean \"mm\"?"));
   CHECK(refusal("[motion]\nrecord = \"r\"\nunit = \"m/s^2\"").ends_with("; did you mean \"m/s2\"?"));
 }
+
+TEST_CASE("faults: a key under the name that engineers give it comes with the key") {
+  const auto meant = [](const std::string& text) {
+    const std::string all = refusal(text);
+    const std::size_t at = all.find("did you mean \"");
+    return at == std::string::npos ? all : all.substr(at + 14, all.find('"', at + 14) - at - 14);
+  };
+  CHECK(meant("[materials.m]\nE = 1e9") == "young");
+  CHECK(meant("[materials.m]\nelastic_modulus = 1e9") == "young");
+  CHECK(meant("[materials.m]\nunit_weight = 18000.0") == "density");
+  CHECK(meant("[joint_laws.m]\nphi = 30.0") == "friction");
+  CHECK(meant("[joint_laws.m]\ntensile_strength = 1e5") == "tension");
+  CHECK(meant("[[load]]\nmagnitude = 5.0") == "force");
+  CHECK(meant("[time]\ndt = 1e-5") == "step");
+  CHECK(meant("[house]\nthickness = 0.3") == "bearing_wall");
+  CHECK(meant("[joint_laws.m]\nE = 1e9") == "young");
+  CHECK(meant("[gravity]\nphi = 3").find("unknown key; Keys of [gravity]") != std::string::npos);  // a table that has no such key
+}
