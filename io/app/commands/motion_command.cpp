@@ -241,12 +241,14 @@ void print_intensities(const std::vector<Component>& components, const std::vect
 void add_treatment(CLI::App& command, cases::MotionTreatment& t) {
   command.add_option("--from", t.from, "s: begin there, and call it time zero")->check(number_range(0.0, 1e9));
   command.add_option("--to", t.to, "s, of the record: end there")->check(number_range(1e-9, 1e9));
-  const std::map<std::string, cases::Baseline> baselines{{"none", cases::Baseline::none},
-                                                         {"mean", cases::Baseline::mean},
-                                                         {"linear", cases::Baseline::linear},
-                                                         {"parabolic", cases::Baseline::parabolic}};
-  command.add_option("--baseline", t.baseline, "take off what is left of the baseline: none, mean, linear or parabolic")
-      ->transform(CLI::CheckedTransformer(baselines));
+  static const std::map<std::string, cases::Baseline> baselines{{"none", cases::Baseline::none},
+                                                                {"mean", cases::Baseline::mean},
+                                                                {"linear", cases::Baseline::linear},
+                                                                {"parabolic", cases::Baseline::parabolic}};
+  command
+      .add_option_function<std::string>(
+          "--baseline", [&t](const std::string& name) { t.baseline = baselines.at(name); }, "take off what is left of the baseline")
+      ->check(CLI::IsMember({"none", "mean", "linear", "parabolic"}));
   command
       .add_option_function<double>(
           "--taper", [&t](const double& seconds) { t.taper.fill(seconds); }, "s: half a cosine at both ends")
