@@ -64,7 +64,8 @@ std::vector<std::vector<std::size_t>> pieces_of(const Building& b, std::int32_t 
     const auto place = [&](double at, double from, double size) {
       return std::lround(std::floor((at - from) / size * std::max(1.0, std::round(size / kPiece))));
     };
-    pieces[{place(b.box[e].centre(axis), w.box.low[axis], w.length()), place(b.box[e].centre(2), w.box.low[2], w.height())}].push_back(e);
+    pieces[{place(b.box_in(w, e).centre(axis), w.box.low[axis], w.length()), place(b.box[e].centre(2), w.box.low[2], w.height())}]
+        .push_back(e);
   }
   std::vector<std::vector<std::size_t>> all;
   for (auto& [at, elements] : pieces) all.push_back(std::move(elements));
@@ -229,7 +230,7 @@ class Assessor {
     for (const std::vector<std::size_t>& piece : pieces) {
       const std::optional<Vec3> u = mean_of(piece, building_, start_, poses, fallen);
       if (!u) continue;
-      const double out = w.outward * (component(*u, w.across) - component(*foot, w.across));
+      const double out = w.outward * (w.through(*u) - w.through(*foot));
       if (!(std::abs(out) <= std::abs(most))) most = out;
     }
     return most / w.thickness();

@@ -25,7 +25,8 @@ constexpr double kOnWallFace = 1e-4;  // m
 struct Open {
   const JointWidth* joint;
   std::int32_t wall;
-  Box box;
+  Box box;  // along the axes of the model
+  std::vector<Vec3> corners;
   std::vector<JointEdge> edges;  // on the surface of the masonry
 };
 
@@ -40,7 +41,7 @@ bool touch(const Box& a, const Box& b) {
 std::int32_t wall_of(const Building& b, const JointWidth& joint, Vec3 normal) {
   const auto [first, second] = joint.wall;
   if (first < 0 || second < 0) return std::max(first, second);
-  const auto across = [&](std::int32_t w) { return std::abs(component(normal, nth(b.walls, w).across)); };
+  const auto across = [&](std::int32_t w) { return std::abs(nth(b.walls, w).through(normal)); };
   const auto [low, high] = std::pair(std::min(first, second), std::max(first, second));
   return across(high) < across(low) - 0.1 ? high : low;
 }
@@ -57,13 +58,14 @@ std::vector<Open> open_of(const Hdf5File& run, const Building& building, const s
     if (!std::ranges::any_of(j.wall, [&](std::int32_t w) { return is_crack_of(j, w); })) continue;
     if (nth(fallen, of[0]) != 0 || (of[1] >= 0 && nth(fallen, of[1]) != 0)) continue;
     const Vec3 n{normal.at(3 * j.joint), normal.at(3 * j.joint + 1), normal.at(3 * j.joint + 2)};
-    open.push_back({&j, wall_of(building, j, n), Box::empty(), {}});
+    open.push_back({&j, wall_of(building, j, n), Box::empty(), {}, {}});
     rows.push_back(j.joint);
   }
-  const auto corners = joint_corners(run, rows);
+  auto corners = joint_corners(run, rows);
   auto edges = joint_edges(run, rows);
   for (std::size_t i = 0; i < open.size(); ++i) {
-    for (const Vec3& p : corners[i]) open[i].box.include({{p.x, p.y, p.z}, {p.x, p.y, p.z}});
+    for (const Vec3& p : corners[i]) open[i].box.include(p);
+    open[i].corners = std::move(corners[i]);
     open[i].edges = std::move(edges[i]);
   }
   return open;
@@ -90,11 +92,11 @@ class Adder {
 
   void add(const Open& open) {
     crack_.joints.push_back(open.joint->joint);
-    box_.include(open.box);
+    for (const Vec3& p : open.corners) box_.include(wall_.axes.of(p));
     for (const JointEdge& e : open.edges)
       for (std::size_t side = 0; side < 2; ++side) {
         const double face = side == 0 ? wall_.box.low[wall_.across] : wall_.box.high[wall_.across];
-        const auto on = [&](Vec3 p) { return std::abs(component(p, wall_.across) - face) <= kOnWallFace; };
+        const auto on = [&](Vec3 p) { return std::abs(wall_.through(p) - face) <= kOnWallFace; };
         if (on(e.from) && on(e.to)) length_[side] += norm(e.to - e.from);
       }
     if (open.joint->width > crack_.width) crack_.width = open.joint->width, crack_.widest = open.joint->centre;
@@ -114,7 +116,7 @@ class Adder {
   const Building& building_;
   const Wall& wall_;
   std::size_t axis_;
-  Box box_ = Box::empty();
+  Box box_ = Box::empty();          // along the axes of the wall
   std::array<double, 2> length_{};  // m, on the faces in the negative and the positive direction
   Crack crack_;
 };

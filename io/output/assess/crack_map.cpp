@@ -37,7 +37,7 @@ class Map {
   Map(const Building& building, std::int32_t wall) : building_(building), number_(wall), wall_(nth(building.walls, wall)) {
     extent_ = wall_.box;
     for (std::size_t e = 0; e < building.wall.size(); ++e)
-      if (building.wall[e] == wall) extent_.include(building.box[e]);  // including the gable
+      if (building.wall[e] == wall) extent_.include(building.box_in(wall_, e));  // including the gable
     axis_ = 1 - wall_.across;
     face_ = wall_.outward > 0 ? wall_.box.high[wall_.across] : wall_.box.low[wall_.across];
     scale_ = std::min(kLargestScale, kWidest / std::max(extent_.size(axis_), extent_.size(2)));
@@ -65,13 +65,13 @@ class Map {
     const double u = wall_.right() > 0 ? along - extent_.low[axis_] : extent_.high[axis_] - along;
     return {left_ + scale_ * u, kHead + scale_ * (extent_.high[2] - z)};
   }
-  [[nodiscard]] double along(Vec3 v) const { return component(v, axis_); }
-  [[nodiscard]] double out(Vec3 v) const { return component(v, wall_.across); }
+  [[nodiscard]] double along(Vec3 v) const { return wall_.along(v); }
+  [[nodiscard]] double out(Vec3 v) const { return wall_.through(v); }
 
   /// Draws elements visible on the outer face at their initial positions; fallen ones are grey.
   void draw_elements(Svg& svg, const std::vector<std::uint8_t>& fallen) const {
     for (std::size_t e = 0; e < building_.wall.size(); ++e) {
-      const Box& b = building_.box[e];
+      const Box b = building_.box_in(wall_, e);
       const double outer = wall_.outward > 0 ? b.high[wall_.across] : b.low[wall_.across];
       const bool touches = b.low[axis_] < wall_.box.high[axis_] + kOnFace && b.high[axis_] > wall_.box.low[axis_] - kOnFace;
       const bool beside = touches && b.centre(2) > extent_.low[2] && b.centre(2) < extent_.high[2];

@@ -43,23 +43,24 @@ bool overlap(const Box& a, const Box& b) {
 Elevation elevation_of(const Building& b, std::int32_t wall) {
   const Wall& w = nth(b.walls, wall);
   const std::size_t axis = 1 - w.across;
-  std::vector<const Box*> boxes;
+  std::vector<Box> boxes;
   std::vector<double> u{w.box.low[axis], w.box.high[axis]}, z{w.box.low[2], w.box.high[2]};
   for (std::size_t e = 0; e < b.wall.size(); ++e) {
-    if (!overlap(b.box[e], w.box)) continue;  // also elements of adjoining walls, which alternate with those of this wall at corners
-    boxes.push_back(&b.box[e]);
-    for (const double at : {b.box[e].low[axis], b.box[e].high[axis]}) u.push_back(std::clamp(at, w.box.low[axis], w.box.high[axis]));
-    for (const double at : {b.box[e].low[2], b.box[e].high[2]}) z.push_back(std::clamp(at, w.box.low[2], w.box.high[2]));
+    const Box box = b.box_in(w, e);
+    if (!overlap(box, w.box)) continue;  // also elements of adjoining walls, which alternate with those of this wall at corners
+    boxes.push_back(box);
+    for (const double at : {box.low[axis], box.high[axis]}) u.push_back(std::clamp(at, w.box.low[axis], w.box.high[axis]));
+    for (const double at : {box.low[2], box.high[2]}) z.push_back(std::clamp(at, w.box.low[2], w.box.high[2]));
   }
   Elevation e{lines(std::move(u)), lines(std::move(z)), {}};
   e.masonry.assign(e.columns() * e.rows(), 0);
-  for (const Box* box : boxes) {
+  for (const Box& box : boxes) {
     for (std::size_t i = 0; i < e.columns(); ++i) {
       const double at_u = 0.5 * (e.u[i] + e.u[i + 1]);
-      if (at_u < box->low[axis] || at_u > box->high[axis]) continue;
+      if (at_u < box.low[axis] || at_u > box.high[axis]) continue;
       for (std::size_t k = 0; k < e.rows(); ++k) {
         const double at_z = 0.5 * (e.z[k] + e.z[k + 1]);
-        if (at_z > box->low[2] && at_z < box->high[2]) e.masonry[k * e.columns() + i] = 1;
+        if (at_z > box.low[2] && at_z < box.high[2]) e.masonry[k * e.columns() + i] = 1;
       }
     }
   }
@@ -177,9 +178,7 @@ CrackFigures corner_figures(const std::vector<JointWidth>& joints, const Buildin
   const Wall& w = nth(building.walls, corner.wall);
   CrackFigures f;
   for (const JointWidth& j : joints) {
-    if (is_crack_of(j, corner.wall) &&
-        std::hypot(component(j.centre, 1 - w.across) - corner.along, j.centre.z - corner.z) <= CrackFigures::kNear)
-      f.add(j);
+    if (is_crack_of(j, corner.wall) && std::hypot(w.along(j.centre) - corner.along, j.centre.z - corner.z) <= CrackFigures::kNear) f.add(j);
   }
   f.finish();
   return f;

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <tuple>
@@ -69,24 +70,10 @@ bool has_table(const Hdf5File& run, std::string_view table) {
   }
 }
 
-std::vector<Box> boxes_of(const Hdf5File& run, std::size_t elements) {
-  const auto first = run.read<std::int32_t>("/model/element/first_vertex");
-  const auto vertex = run.read<double>("/model/vertex");
-  if (first.size() != elements) throw FileError(run.path(), "/model/element does not fit together");
-  std::vector<Box> boxes(elements, Box::empty());
-  std::size_t e = 0;
-  for (std::size_t v = 0; v < vertex.size() / 3; ++v) {
-    while (e + 1 < elements && static_cast<std::int64_t>(v) >= first[e + 1]) ++e;
-    const std::array at{vertex[3 * v], vertex[3 * v + 1], vertex[3 * v + 2]};
-    boxes[e].include({at, at});
-  }
-  return boxes;
-}
-
-/// Parts of a brick's tag: "front wall", "left gable", "middle wall, storey 2".
+/// Parts of a brick's tag: "front wall", "left gable", "middle wall, storey 2"; "shed 1 walling", a side along no axis.
 struct WallTag {
   std::string side;  // empty: not a brick of a wall
-  bool gable = false;
+  bool gable = false, walling = false;
   int storey = 1;
   std::string storey_name;  // ", storey 2"; empty: the house has one storey
 };
@@ -99,10 +86,10 @@ WallTag wall_tag(std::string tag) {
     found.storey = std::max(1, std::atoi(tag.c_str() + storey + std::string_view(", storey ").size()));
     tag.resize(storey);
   }
-  for (const std::string_view what : {" wall", " gable"}) {
+  for (const std::string_view what : {" wall", " gable", " walling"}) {
     if (tag.size() <= what.size() || !tag.ends_with(what)) continue;
     found.side = tag.substr(0, tag.size() - what.size());
-    found.gable = what == " gable";
+    found.gable = what == " gable", found.walling = what == " walling";
   }
   return found;
 }
@@ -142,8 +129,34 @@ void orient(Wall& wall, std::ptrdiff_t place, int quarter_turns) {
 /// Sets the direction of an inner wall, or of one of free blocks: across it is its shorter side. Outward is away from the centre of the
 /// model; for an inner wall, along the axis.
 void orient_by_box(Wall& wall, const Box& all) {
-  wall.across = wall.box.size(0) < wall.box.size(1) ? 0 : 1;
-  wall.outward = !wall.inner && wall.box.centre(wall.across) < all.centre(wall.across) ? -1.0 : 1.0;
+  wall.across = wall.axes.turned() || wall.box.size(0) >= wall.box.size(1) ? 1 : 0;
+  const double middle = wall.through({all.centre(0), all.centre(1), 0.0});
+  wall.outward = !wall.inner && wall.box.centre(wall.across) < middle ? -1.0 : 1.0;
+}
+
+ElementVertices::Faces faces_of(const Hdf5File& run, std::size_t elements) {
+  ElementVertices::Faces faces{run.read<double>("/model/face/normal"), run.read<std::int32_t>("/model/face/element")};
+  const auto of_none = [&](std::int32_t e) { return e < 0 || static_cast<std::size_t>(e) >= elements; };
+  if (faces.normal.size() != 3 * faces.element.size() || std::ranges::any_of(faces.element, of_none))
+    throw FileError(run.path(), "/model/face does not fit together");
+  return faces;
+}
+
+/// Axes of the straight walls that run along no axis of the model, by their names. Bricks of those that bend are of no wall then.
+std::map<std::string, WallAxes> turned_walls(const Hdf5File& run, const ElementVertices& vertices, std::vector<WallTag>& tags) {
+  std::map<std::string, std::vector<std::size_t>> walling;
+  for (std::size_t e = 0; e < tags.size(); ++e)
+    if (tags[e].walling) walling[tags[e].side].push_back(e);
+  std::map<std::string, WallAxes> turned;
+  if (walling.empty()) return turned;
+  const ElementVertices::Faces faces = faces_of(run, tags.size());
+  for (const auto& [side, elements] : walling) {
+    if (const std::optional<WallAxes> axes = vertices.axes_along(elements, faces); axes)
+      turned.emplace(side, *axes);
+    else
+      for (const std::size_t e : elements) tags[e] = WallTag{};
+  }
+  return turned;
 }
 
 /// Whether the element is a brick of a house, or a free block whose `part` is a wall.
@@ -152,14 +165,17 @@ bool may_be_of_wall(const Elements& elements, const Building& b, std::size_t e) 
 }
 
 /// Finds walls with their boxes, house by house, storey by storey, in order round each; sets the wall of each brick.
-void find_walls(const Elements& elements, int quarter_turns, Building& b) {
+void find_walls(const Hdf5File& run, const Elements& elements, Building& b) {
+  const int quarter_turns = quarter_turns_of(run);
   std::set<std::int32_t> houses(elements.house.begin(), elements.house.end());
   houses.erase(-1);  // free blocks
   const bool several = houses.size() > 1;
   std::map<WallKey, std::int32_t> numbers;
   std::vector<WallTag> tags;
-  for (std::size_t e = 0; e < elements.tag.size(); ++e) {
+  for (std::size_t e = 0; e < elements.tag.size(); ++e)
     tags.push_back(may_be_of_wall(elements, b, e) ? wall_tag(elements.tag[e]) : WallTag{});
+  const std::map<std::string, WallAxes> turned = turned_walls(run, b.vertices, tags);
+  for (std::size_t e = 0; e < tags.size(); ++e) {
     if (!tags[e].side.empty() && !tags[e].gable) numbers.emplace(wall_key(elements.house[e], tags[e]), 0);
   }
   for (auto& [key, number] : numbers) {
@@ -167,6 +183,7 @@ void find_walls(const Elements& elements, int quarter_turns, Building& b) {
     Wall& wall = b.walls.emplace_back();
     wall.house = std::get<0>(key), wall.storey = std::get<1>(key);
     wall.inner = wall.house >= 0 ? std::get<2>(key) == 4 : std::get<3>(key).starts_with("inner");
+    if (const auto axes = turned.find(std::get<3>(key)); axes != turned.end()) wall.axes = axes->second;
     wall.box = Box::empty();
   }
   Box all = Box::empty();
@@ -176,8 +193,9 @@ void find_walls(const Elements& elements, int quarter_turns, Building& b) {
     b.wall[e] = found->second;
     if (tags[e].gable) continue;
     Wall& wall = nth(b.walls, found->second);
-    wall.box.include(b.box[e]), all.include(b.box[e]);
-    wall.name = tags[e].side + " wall" + tags[e].storey_name + (several ? " of house " + std::to_string(wall.house) : "");
+    wall.box.include(b.box_in(wall, e)), all.include(b.box[e]);
+    wall.name = tags[e].side + (tags[e].walling ? " walling" : " wall") + tags[e].storey_name +
+                (several ? " of house " + std::to_string(wall.house) : "");
   }
   for (const auto& [key, number] : numbers) {
     Wall& wall = nth(b.walls, number);
@@ -190,8 +208,8 @@ void find_lintels(const Elements& elements, Building& b) {
   for (std::size_t e = 0; e < b.kind.size(); ++e) {
     if (b.kind[e] != cases::PartKind::lintel) continue;
     for (std::size_t w = 0; w < b.walls.size(); ++w) {
-      const Box& box = b.walls[w].box;
-      const auto inside = [&](std::size_t axis) { return b.box[e].centre(axis) > box.low[axis] && b.box[e].centre(axis) < box.high[axis]; };
+      const Box &box = b.walls[w].box, own = b.box_in(b.walls[w], e);
+      const auto inside = [&](std::size_t axis) { return own.centre(axis) > box.low[axis] && own.centre(axis) < box.high[axis]; };
       if (b.walls[w].house == elements.house[e] && inside(0) && inside(1) && inside(2)) b.wall[e] = static_cast<std::int32_t>(w);
     }
   }
@@ -205,7 +223,7 @@ void find_courses(const Elements& elements, Building& b) {
     if (b.box[e].low[2] < w.box.low[2] + kSameLevel) w.foot.push_back(e);
     if (b.box[e].high[2] < w.box.high[2] - kSameLevel) continue;
     const std::size_t along = 1 - w.across;
-    const double place = (b.box[e].centre(along) - w.box.low[along]) / w.length() * static_cast<double>(w.top.size());
+    const double place = (b.box_in(w, e).centre(along) - w.box.low[along]) / w.length() * static_cast<double>(w.top.size());
     const auto piece = [&](double x) { return static_cast<std::size_t>(std::clamp(x, 0.0, static_cast<double>(w.top.size() - 1))); };
     const std::size_t first = piece(place - kOnBorder), last = piece(place + kOnBorder);
     w.top[first].push_back(e);
@@ -231,7 +249,7 @@ void find_gables(const Elements& elements, Building& b) {
     Gable& gable = b.gables.emplace_back(Gable{wall, nth(b.walls, wall)});
     Wall& part = gable.part;
     part.name = gable_name(part.name), part.box = Box::empty(), part.foot.clear(), part.top.assign(1, {});
-    for (const std::size_t e : bricks) part.box.include(b.box[e]);
+    for (const std::size_t e : bricks) part.box.include(b.box_in(part, e));
     for (const std::size_t e : bricks) {
       if (b.box[e].low[2] < part.box.low[2] + kSameLevel) part.foot.push_back(e);
       if (b.box[e].centre(2) >= part.box.high[2] - kUpperThird * part.height()) part.top.front().push_back(e);
@@ -314,15 +332,6 @@ double lowest(const std::vector<Box>& boxes) {
 
 }  // namespace
 
-Box Box::empty() noexcept {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  return {{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
-}
-
-void Box::include(const Box& other) noexcept {
-  for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], other.low[k]), high[k] = std::max(high[k], other.high[k]);
-}
-
 std::string part_of(const std::string& tag) {
   if (tag.find(", storey ") != std::string::npos) return tag;
   const std::size_t end = tag.find_last_not_of("0123456789 ");
@@ -345,10 +354,11 @@ Building building_of(const Hdf5File& run) {
   b.wall.assign(n, -1);
   b.covers.assign(n, 0);
   b.gable.assign(n, 0);
-  b.box = boxes_of(run, n);
+  b.vertices = ElementVertices(run, n);
+  for (std::size_t e = 0; e < n; ++e) b.box.push_back(b.vertices.box(e));
   b.datum = (b.has_base ? case_number(run, "base", "z") : 0.0) - origin_of_run(run).z;
   b.base = b.has_base ? b.datum : lowest(b.box);
-  find_walls(elements, quarter_turns_of(run), b);
+  find_walls(run, elements, b);
   find_lintels(elements, b);
   find_rooms(b, has_table(run, "wall"));
   find_covers(elements, b);

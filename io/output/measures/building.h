@@ -11,20 +11,13 @@
 
 #include "cases/model.h"
 #include "io/input/files/hdf5_file.h"
+#include "io/output/measures/wall_axes.h"
 
 /// The building of a run as the collapse measures need it: elements and position of each wall, rooms between the walls.
 namespace voussoir::io {
 
-/// An axis-aligned box [m]; `low` and `high` of x, y, z.
-struct Box {
-  std::array<double, 3> low, high;
-
-  /// A box that contains nothing.
-  static Box empty() noexcept;
-  void include(const Box& other) noexcept;
-  [[nodiscard]] double centre(std::size_t axis) const noexcept { return 0.5 * (low[axis] + high[axis]); }
-  [[nodiscard]] double size(std::size_t axis) const noexcept { return high[axis] - low[axis]; }
-};
+/// Along x (0), y (1) or z (2).
+inline double component(Vec3 v, std::size_t axis) noexcept { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
 /// One side of a storey of a house, or one of its inner walls: bricks, lintels and the gable on it.
 struct Wall {
@@ -32,6 +25,7 @@ struct Wall {
   std::int32_t house = 0;  // copy of the house; −1: of free blocks with a part name
   int storey = 1;
   bool inner = false;
+  WallAxes axes;                  // in which all of the following is
   Box box;                        // bounding box of its bricks without the gable
   std::size_t across = 0;         // axis normal to its plane: 0 x, 1 y
   double outward = 1.0;           // 1: the outside of the house is in the positive direction of that axis, −1: in the negative
@@ -41,6 +35,9 @@ struct Wall {
   [[nodiscard]] double length() const noexcept { return box.size(1 - across); }
   [[nodiscard]] double thickness() const noexcept { return box.size(across); }
   [[nodiscard]] double height() const noexcept { return box.size(2); }
+  /// Of a point or a vector of the model: along the wall, and normal to its plane.
+  [[nodiscard]] double along(Vec3 v) const noexcept { return component(axes.of(v), 1 - across); }
+  [[nodiscard]] double through(Vec3 v) const noexcept { return component(axes.of(v), across); }
   /// 1: the wall's axis runs to the right when seen from outside, −1: to the left.
   [[nodiscard]] double right() const noexcept { return across == 1 ? -outward : outward; }
 };
@@ -50,9 +47,6 @@ struct Gable {
   std::int32_t wall = 0;  // index into Building::walls
   Wall part;              // "left gable, storey 2"
 };
-
-/// Along x (0), y (1) or z (2).
-inline double component(Vec3 v, std::size_t axis) noexcept { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
 /// The space between walls of one storey, up to their height.
 struct Room {
@@ -72,13 +66,16 @@ struct Building {
   std::vector<cases::PartKind> kind;
   std::vector<std::int32_t> wall;  // index into walls; −1: of no wall
   std::vector<int> covers;         // number of storeys under the element (floor, roof), counted from the first; 0: neither floor nor roof
-  std::vector<Box> box;            // in the reference configuration
-  std::vector<Wall> walls;         // empty without a house
+  std::vector<Box> box;            // in the reference configuration, along the axes of the model
+  ElementVertices vertices;
+  std::vector<Wall> walls;  // empty without a house
   std::vector<Gable> gables;
   std::vector<std::uint8_t> gable;  // by element, 1: a brick of a gable
   std::vector<Room> rooms;          // of houses whose walls enclose one
   Box footprint;                    // of the houses; without a house, of all elements that are not fixed
 
+  /// The box of an element along the axes of a wall.
+  [[nodiscard]] Box box_in(const Wall& w, std::size_t e) const { return w.axes.turned() ? vertices.box(e, w.axes) : box[e]; }
   /// Height as a drawing has it, for all that is shown [m]: above the base; without one, z of the case.
   [[nodiscard]] double height_of(double z) const noexcept { return z - datum; }
   [[nodiscard]] double z_of(double height) const noexcept { return height + datum; }

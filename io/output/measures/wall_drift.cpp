@@ -39,11 +39,12 @@ struct Sum {
   [[nodiscard]] double mean() const noexcept { return standing > 0 ? metres / static_cast<double>(standing) : 0.0; }
 };
 
-Displacements displacements_of(const std::vector<std::size_t>& elements, const std::vector<Pose>& start, const std::vector<Pose>& poses,
-                               const std::vector<std::uint8_t>& fallen) {
+/// Along the axes of the wall.
+Displacements displacements_of(const Wall& wall, const std::vector<std::size_t>& elements, const std::vector<Pose>& start,
+                               const std::vector<Pose>& poses, const std::vector<std::uint8_t>& fallen) {
   Displacements found;
   for (const std::size_t e : elements) {
-    const Vec3 d = poses[e].centre - start[e].centre;
+    const Vec3 d = wall.axes.of(poses[e].centre - start[e].centre);
     fallen[e] != 0 ? static_cast<void>(++found.fallen) : found.of.push_back({d.x, d.y});
   }
   return found;
@@ -76,9 +77,9 @@ std::optional<double> wall_drift(const Wall& wall, const std::vector<Pose>& star
                                  const std::vector<std::uint8_t>& fallen, DriftDirection direction) {
   std::size_t standing = 0, gone = 0;
   double most = 0;
-  const double foot = sum_of(wall, displacements_of(wall.foot, start, poses, fallen), direction).mean();
+  const double foot = sum_of(wall, displacements_of(wall, wall.foot, start, poses, fallen), direction).mean();
   for (const std::vector<std::size_t>& piece : wall.top) {
-    const Sum sum = sum_of(wall, displacements_of(piece, start, poses, fallen), direction);
+    const Sum sum = sum_of(wall, displacements_of(wall, piece, start, poses, fallen), direction);
     standing += sum.standing, gone += sum.gone;
     if (sum.standing > 0 && std::abs(sum.mean() - foot) > std::abs(most)) most = sum.mean() - foot;
   }
@@ -94,11 +95,11 @@ std::optional<double> storey_drift(const Wall& wall, const std::vector<Pose>& st
   double sum = 0;
   for (std::vector<std::size_t> piece : wall.top) {
     std::erase_if(piece, [&](std::size_t e) { return !counted.insert(e).second; });
-    const Sum of_piece = sum_of(wall, displacements_of(piece, start, poses, fallen), kAlong);
+    const Sum of_piece = sum_of(wall, displacements_of(wall, piece, start, poses, fallen), kAlong);
     standing += of_piece.standing, gone += of_piece.gone, sum += of_piece.metres;
   }
   if (gone >= standing) return {};
-  const double foot = sum_of(wall, displacements_of(wall.foot, start, poses, fallen), kAlong).mean();
+  const double foot = sum_of(wall, displacements_of(wall, wall.foot, start, poses, fallen), kAlong).mean();
   const double sign = wall.inner ? 1.0 : wall.right();  // an inner wall has no outside
   return sign * (sum / static_cast<double>(standing) - foot) / wall.height();
 }

@@ -280,7 +280,12 @@ void add_building(const Hdf5File& file, Json& facts) {
   try {
     const Building b = building_of(file);
     for (const Wall& w : b.walls)
-      facts["walls"].push_back({{"name", w.name}, {"low", w.box.low}, {"high", w.box.high}, {"across", w.across}, {"outward", w.outward}});
+      facts["walls"].push_back({{"name", w.name},
+                                {"low", w.box.low},
+                                {"high", w.box.high},
+                                {"across", w.across},
+                                {"outward", w.outward},
+                                {"axes", {w.axes.cosine, w.axes.sine}}});
     for (const Room& r : b.rooms)
       facts["rooms"].push_back({{"low", {r.low[0], r.low[1], r.floor}}, {"high", {r.high[0], r.high[1], r.ceiling}}});
   } catch (const DamagedFile&) {

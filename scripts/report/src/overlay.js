@@ -51,9 +51,12 @@ const houseOf = (wall) => / of house \d+/.exec(wall.name)?.[0];
 /** Whether a wall stands between others of its house, which hide it. */
 function isInner(w, all) {
   const kFlush = 0.05; // m
-  const walls = all.filter((other) => houseOf(other) === houseOf(w));
+  const walls = all.filter((other) => houseOf(other) === houseOf(w) && other.axes[0] === w.axes[0]);
   return walls.some((other) => other.low[w.across] < w.low[w.across] - kFlush) && walls.some((other) => other.high[w.across] > w.high[w.across] + kFlush);
 }
+
+/** A vector along the axes of a wall, which are turned about z, in plan along those of the model. */
+const inModel = ({ axes: [c, s] }, [x, y]) => [c * x - s * y, s * x + c * y];
 
 /** Each wall is named once, however many storeys it has: at the ground, and one between others on its top, where that is seen. Names that
  *  would lie on those of nearer walls are left out.
@@ -69,7 +72,7 @@ function wallNames(c, facts, camera, width, height, u, ink, open) {
     at[w.across] = (w.outward > 0 ? w.high : w.low)[w.across] + 0.35 * w.outward;
     at[2] = facts.base ?? w.low[2];
     if (inner) at[w.across] = 0.5 * (w.low[w.across] + w.high[w.across]), at[2] = Math.max(...facts.walls.filter((v) => v.name.startsWith(name)).map((v) => v.high[2]));
-    const normal = [0, 1].map((k) => (k === w.across ? w.outward : 0)), p = new Vector3(...at);
+    const normal = inModel(w, [0, 1].map((k) => (k === w.across ? w.outward : 0))), p = new Vector3(...inModel(w, at), at[2]);
     const toEye = camera.position.clone().sub(p);
     if (!inner && toEye.x * normal[0] + toEye.y * normal[1] < 0.15 * toEye.length()) continue; // seen from behind, or along it
     const place = seen(p, camera, width, height);

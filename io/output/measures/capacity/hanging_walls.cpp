@@ -34,7 +34,8 @@ double height_now(std::int32_t element, Vec3 at, const std::vector<Pose>& start,
 }
 
 /// Whether a point lies within a wall, as that of a brick at a corner does that is counted to the wall beside.
-bool is_within(const Wall& w, Vec3 at) {
+bool is_within(const Wall& w, Vec3 point) {
+  const Vec3 at = w.axes.of(point);
   for (const std::size_t axis : {0UL, 1UL, 2UL})
     if (component(at, axis) < w.box.low[axis] - kMeet || component(at, axis) > w.box.high[axis] + kMeet) return false;
   return true;
@@ -93,7 +94,7 @@ std::vector<HangingWall> hanging_walls(const Hdf5File& run, const Building& b, c
     const Wall& w = nth(b.walls, gaps[i].wall);
     Span span{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (const Vec3& p : corners[i]) {
-      const double along = component(p, 1 - w.across);
+      const double along = w.along(p);
       const double at = w.right() > 0 ? along - w.box.low[1 - w.across] : w.box.high[1 - w.across] - along;
       const double inside = std::clamp(at, 0.0, w.length());
       span = {std::min(span[0], inside), std::max(span[1], inside)};

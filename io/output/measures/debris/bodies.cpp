@@ -136,6 +136,10 @@ BodiesInFrame BodyFinder::find(double time, const std::vector<Pose>& poses) {
     const auto& walls = of_wall[b.wall];
     b.gable = of_gables[b.wall] > 0.5 * b.mass;
     b.wall = std::ranges::max_element(walls, {}, [](const auto& w) { return w.second; })->first;
+    if (b.wall < 0 || !nth(building_.walls, b.wall).axes.turned()) continue;
+    b.box = Box::empty();
+    for (std::size_t e = 0; e < start_.size(); ++e)
+      if (out.id[e] == b.id) b.box.include(building_.box_in(nth(building_.walls, b.wall), e));
   }
   std::ranges::sort(bodies, {}, &Body::id);
   out.bodies = std::move(bodies);

@@ -31,7 +31,7 @@ struct Body {
   Vec3 centre;             // in the reference configuration, m
   Vec3 displacement;       // m, of its centre of mass
   Vec3 rotation;           // rad, mean of its elements; accurate up to about 0.5 rad
-  Box box = Box::empty();  // bounding box of its elements in the reference configuration
+  Box box = Box::empty();  // bounding box of its elements in the reference configuration, along the axes of its wall
 };
 
 /// A line about which two bodies rotate against each other, or along which they slide.

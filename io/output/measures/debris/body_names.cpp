@@ -23,7 +23,7 @@ std::string place_of(const Body& b, const Wall& w) {
   if (tall < kWhole) where = component(b.centre, 2) > w.box.centre(2) ? "upper" : "lower";
   if (wide < kWhole) {
     // Seen from outside, x runs to the right before a front wall (outward −y), y before a right wall (outward x).
-    const double off = w.right() * (component(b.centre, along) - w.box.centre(along));
+    const double off = w.right() * (w.along(b.centre) - w.box.centre(along));
     const char* side = std::abs(off) < 0.15 * w.length() ? "middle" : off > 0 ? "right" : "left";
     where += (where.empty() ? "" : " ") + std::string(side);
   }
@@ -41,9 +41,9 @@ std::string motion_of(const Body& b, const Wall* w) {
   const bool upright = std::abs(u.z) > std::hypot(u.x, u.y);
   if (w == nullptr) return norm(r) * size > norm(u) ? "turns" : upright ? along_z(u) : "slides";
   const std::size_t along = 1 - w->across;
-  const double out = w->outward * component(u, w->across);
-  const std::array<double, 4> reach{std::abs(component(r, along)) * b.box.size(2), std::abs(r.z) * b.box.size(along),
-                                    std::abs(component(r, w->across)) * b.box.size(2), norm(u)};
+  const double out = w->outward * w->through(u);
+  const std::array<double, 4> reach{std::abs(w->along(r)) * b.box.size(2), std::abs(r.z) * b.box.size(along),
+                                    std::abs(w->through(r)) * b.box.size(2), norm(u)};
   switch (std::ranges::max_element(reach) - reach.begin()) {
     case 0:
       return out >= 0 ? "turns out" : "turns in";
@@ -55,7 +55,7 @@ std::string motion_of(const Body& b, const Wall* w) {
       break;
   }
   if (upright) return along_z(u);
-  if (std::abs(out) >= std::abs(component(u, along))) return out >= 0 ? "moves out" : "moves in";
+  if (std::abs(out) >= std::abs(w->along(u))) return out >= 0 ? "moves out" : "moves in";
   return "slides along";
 }
 
