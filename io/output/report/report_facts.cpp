@@ -169,6 +169,7 @@ std::string record_name(const cases::Motion& m) {
 /// Whether this motion was applied in the run: rows of /motion have its values, up to the last digits.
 bool shook(const cases::GroundMotion& motion, const Hdf5File& file) {
   const auto time = file.read<double>("/motion/time"), a = file.read<double>("/motion/acceleration");
+  if (a.size() != 3 * time.size()) throw FileError(file.path(), "/motion does not fit together");
   double most = 0, off = 0;
   for (std::size_t i = 0; i < time.size(); ++i) {
     const Vec3 now = cases::acceleration_at(motion, time[i]);

@@ -71,6 +71,9 @@ STRUCTURE = [
     (replaced("model/element/house", np.zeros(3, "i4")), "/model/element/house is of 3, and not 2 as /model/element/mass"),
     (replaced("energy/kinetic", np.zeros(2)), "/energy/kinetic is of 2, and not"),
     (replaced("frames/quaternion", np.zeros((3, 2))), "/frames/quaternion"),
+    (lambda file: replaced("forces/base_shear", np.zeros((len(file["forces/time"]), 1)))(file), "/forces/base_shear is of .* and not 3 as 3"),
+    (lambda file: replaced("motion/acceleration", np.zeros(len(file["motion/time"])))(file), "/motion/acceleration is of"),
+    (lambda file: replaced("energy/strain", np.zeros((len(file["energy/time"]), 0)))(file), "/energy/strain is of"),
     (lambda file: file.attrs.__setitem__("rows_energy", 10**12), "attribute rows_energy says 1000000000000"),
     (lambda file: file.attrs.__setitem__("rows_frames", -1), "attribute rows_frames says -1"),
 ]

@@ -23,7 +23,7 @@ _UNIT = 1e-4  # of the square of a quaternion's length; the program keeps 1e-6
 class Rule:
     """What the values of a dataset may be: any, finite, positive, row (finite but in a run that was lost), time, late_time, unit, index, start."""
 
-    shape: tuple[str, ...]  # numbers, or the dataset that has so many rows; of a group the first extent
+    shape: tuple[str, ...]  # each extent: a number, the dataset that has so many rows, or "*", any number
     values: str = "finite"
     items: str = ""  # of an index or a start: how many there are, a number or the dataset that has so many rows
     least: int = 0
@@ -90,16 +90,16 @@ _RULES = {
     **{f"/ties/{name}": Rule(("/history/time", _TIES), "row") for name in ("force", "elongation", "plastic", "broken")},
     **{f"/meshes/{name}": Rule(("/history/time", _MESHES), "row") for name in ("force", "elongation", "yielded", "broken")},
     "/meshes/utilisation": Rule(("/history/time", _MESHES), "any"),
-    "/loaded/": Rule(("/history/time",), "any"),
-    **{name: rule for table in ("history", "acceleration", "energy", "forces", "cuts", "damage")
-       for name, rule in ((f"/{table}/time", Rule((f"/{table}/time",), "time")), (f"/{table}/", Rule((f"/{table}/time",), "row")))},
+    "/loaded/": Rule(("/history/time", "*", "3"), "any"),
+    **{name: rule for table, width in (("history", ("3",)), ("acceleration", ("3",)), ("energy", ()), ("forces", ("3",)), ("cuts", ("3",)), ("damage", ()))
+       for name, rule in ((f"/{table}/time", Rule((f"/{table}/time",), "time")), (f"/{table}/", Rule((f"/{table}/time", *width), "row")))},
     "/assessment/time": Rule(("/assessment/time",), "time"),
     "/assessment/unbalanced": Rule(("/assessment/time",), "any"),
     "/assessment/": Rule(("/assessment/time",), "row"),
     "/motion/factors": Rule(("3",)),
     "/motion/factor": Rule(("1",)),
     "/motion/time": Rule(("/motion/time",), "time"),
-    "/motion/": Rule(("/motion/time",)),
+    "/motion/": Rule(("/motion/time", "3")),
     "/loads/load": Rule((_LOADS,), "index", "1000000000"),
     "/loads/element": Rule((_LOADS,), "index", _E),
     "/loads/point": Rule((_LOADS, "3")),
@@ -110,6 +110,7 @@ _RULES = {
     "/loads/force": Rule(("/loads/time", "3")),
     "/measures/time": Rule(("/measures/time",), "time"),
     "/measures/damage_grade": Rule(("/measures/time",), "index", "6", -1),
+    **{f"/measures/{name}": Rule(("/measures/time", "/summary/wall/name"), "any") for name in ("drift", "in_plane_drift", "storey_drift")},
     "/measures/": Rule(("/measures/time",), "any"),
     "/summary/wall/": Rule(("/summary/wall/name",), "any"),
     "/summary/tie/": Rule(("/summary/tie/name",), "any"),
@@ -141,8 +142,8 @@ def check_shape(file: h5py.File, name: str) -> None:
     found = rule_of(name)
     if found is None:
         return
-    shape, (group, rule) = file[name].shape, found
-    fits, wanted = bool(shape) if group.endswith("/") else len(shape) == len(rule.shape), ""
+    shape, (_, rule) = file[name].shape, found
+    fits, wanted = len(shape) == len(rule.shape), ""
     for there, what in zip(shape, rule.shape, strict=False):
         count = _count(file, what) if fits else None
         if count is not None and there != count:

@@ -265,6 +265,7 @@ Values smoothed(const Values& time, const Values& y, double period) {
 /// Base shear along the push at the rows of /assessment, from /forces, which has the same times.
 Values base_shear(const Hdf5File& run, const Values& time, const std::array<double, 2>& direction, double period) {
   const auto at = run.read<double>("/forces/time"), force = run.read<double>("/forces/base_shear");
+  if (force.size() != 3 * at.size()) throw FileError(run.path(), "/forces does not fit together");
   const double length = std::hypot(direction[0], direction[1]);
   Values out;
   for (std::size_t k = 0; k < at.size() && out.size() < time.size(); ++k) {
@@ -332,7 +333,8 @@ std::optional<ControlPoint> control_of(const Hdf5File& run) {
   const auto k = static_cast<std::size_t>(element);
   if (element < 0 || k >= tags.size()) throw FileError(run.path(), "/assessment: control is no element of the model");
   const std::vector<double> position = run.read<double>("/model/element/position0");
-  return ControlPoint{element, tags[k], Vec3{position.at(3 * k), position.at(3 * k + 1), position.at(3 * k + 2)} + origin_of_run(run)};
+  return ControlPoint{element, tags[k], Vec3{position.at(3 * k), position.at(3 * k + 1), position.at(3 * k + 2)} + origin_of_run(run),
+                      building_of(run).is_timber(k)};
 }
 
 }  // namespace

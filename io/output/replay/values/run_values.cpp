@@ -36,8 +36,7 @@ std::string words_of(const Shape& shape) {
 
 void check_shape(const Hdf5File& run, const std::string& dataset, const ValueRule& rule) {
   const Shape shape = run.shape(dataset);
-  const bool group = rule.dataset.ends_with('/');
-  bool fits = group ? !shape.empty() : shape.size() == rule.shape.size();
+  bool fits = shape.size() == rule.shape.size();
   std::string wanted;
   for (std::size_t i = 0; fits && i < rule.shape.size(); ++i) {
     const std::optional<std::uint64_t> n = count_of(run, rule.shape[i]);

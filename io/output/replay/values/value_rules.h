@@ -25,7 +25,7 @@ enum class Values : std::uint8_t {
 struct ValueRule {
   /// Its name; that of a group, with '/' at its end: of each dataset in it that has no rule of its own.
   std::string_view dataset;
-  /// Extents: numbers, or the dataset that has so many rows. Of a group, the first extent.
+  /// Each extent: a number, the dataset that has so many rows, or "*", any number.
   std::vector<std::string_view> shape;
   Values values = Values::finite;
   /// Of an index or a start: how many items there are, a number or the dataset that has so many rows.
