@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
 #include <tuple>
 
 #include "cases/house/floors/house_floors.h"
@@ -229,12 +230,13 @@ const Hole* hole_beside(const WallPlan& wall, Interval piece, Interval height) {
   return found;
 }
 
-/// Short pieces in order, one for each hole that causes some.
+/// Short pieces in order, one for each hole that causes some, of an opening or lintel one on each side.
 std::vector<ShortPiece> find_short_pieces(const HousePlan& plan) {
   std::vector<ShortPiece> found;
-  const auto known = [&](const Hole* hole) {
+  const auto known = [&](const Hole* hole, Interval piece) {
     return std::ranges::any_of(found, [&](const ShortPiece& p) {
-      return p.hole == hole || (hole != nullptr && p.hole != nullptr && hole->floor >= 0 && hole->floor == p.hole->floor);
+      const bool same_side = hole == nullptr || (p.piece.high <= hole->along.low) == (piece.high <= hole->along.low);
+      return (p.hole == hole && same_side) || (hole != nullptr && p.hole != nullptr && hole->floor >= 0 && hole->floor == p.hole->floor);
     });
   };
   for (const WallPlan& wall : plan.walls) {
@@ -243,7 +245,7 @@ std::vector<ShortPiece> find_short_pieces(const HousePlan& plan) {
         for (const Interval piece : free_spans(plan, wall, course, wythe.depth)) {
           if (piece.length() >= plan.shortest_piece()) continue;
           const Hole* hole = hole_beside(wall, piece, nth(plan.courses, course));
-          if (!known(hole)) found.push_back({piece, &wall, hole});
+          if (!known(hole, piece)) found.push_back({piece, &wall, hole});
         }
       }
     }
@@ -258,7 +260,9 @@ std::size_t faults_with(const House& house, HousePlan plan) {
   add_holes(house, plan);
   plan_floors(house, plan);
   plan_courses(house, plan);
-  return plan.faults.count() + find_short_pieces(plan).size();
+  std::set<const Hole*> holes;  // a change that only moves the piece to the other side of a hole is none
+  for (const ShortPiece& piece : find_short_pieces(plan)) holes.insert(piece.hole);
+  return plan.faults.count() + holes.size();
 }
 
 /// The nearest valid value of one length of the house, as the end of a message. `changes` are tried from the smallest.

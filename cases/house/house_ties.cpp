@@ -19,6 +19,7 @@ Side opposite(Side side) { return kSides[(static_cast<std::size_t>(side) + 2) % 
 /// Ends of a rod in axes of the house.
 struct Rod {
   Vec3 from, to;
+  std::string place;  // "front wall at 2.9 m"
 };
 
 /// A point of a wall in axes of the house [m].
@@ -103,6 +104,12 @@ class Rods {
   }
 
  private:
+  static std::string at_height(double height) { return " at " + text(height) + " m"; }
+  /// Without its storey, which the height tells.
+  [[nodiscard]] std::string rod_wall(const WallPlan& wall) const {
+    const std::string whole = wall_name(house_, wall);
+    return whole.substr(0, whole.find(','));
+  }
   [[nodiscard]] Vec3 point(Side side, double along, double depth, double height) const {
     return on_wall(plan_, side, along, depth, height);
   }
@@ -122,7 +129,7 @@ class Rods {
     for (const WallPlan* wall : walls_along(house_, plan_, tie_, walls_, height)) {
       const double depth = tie_.depth.value_or(0.5 * metres(wall->thickness));
       const auto end = [&](Tick along) { return in_wall(plan_, *wall, metres(along), depth, height); };
-      rods_.push_back({end(wall->from), end(wall->from + wall->length)});
+      rods_.push_back({end(wall->from), end(wall->from + wall->length), rod_wall(*wall) + at_height(height)});
     }
   }
   void across(double height) {
@@ -136,7 +143,8 @@ class Rods {
         if (tie_.at[i] > length(side))
           throw InputError(key_ + ".at[" + std::to_string(i) + "]",
                            text(tie_.at[i]) + " m is beyond the end of the " + name(side) + " wall (" + text(length(side)) + " m)");
-        rods_.push_back({point(side, tie_.at[i], 0.0, height), point(other, tie_.at[i], 0.0, height)});
+        rods_.push_back({point(side, tie_.at[i], 0.0, height), point(other, tie_.at[i], 0.0, height),
+                         std::string(name(side)) + " to " + name(other) + " wall, " + text(tie_.at[i]) + " m along," + at_height(height)});
       }
     }
   }
@@ -152,7 +160,8 @@ class Rods {
         }
         const double on_a = b == Side::left ? tie_.reach : length(a) - tie_.reach,
                      on_b = a == Side::front ? tie_.reach : length(b) - tie_.reach;
-        rods_.push_back({point(a, on_a, 0.0, height), point(b, on_b, 0.0, height)});
+        rods_.push_back({point(a, on_a, 0.0, height), point(b, on_b, 0.0, height),
+                         std::string(name(a)) + " " + name(b) + " corner" + at_height(height)});
       }
     }
   }
@@ -206,12 +215,12 @@ std::vector<PlannedTie> house_ties(const House& house, double foot) {
           Tie placed = tie.bar;
           placed.from = in_case(house, plan, i, j, rod.from) + Vec3{0, 0, foot};
           placed.to = in_case(house, plan, i, j, rod.to) + Vec3{0, 0, foot};
+          placed.name += " " + std::to_string(all.size() - first + 1) + ", " + rod.place;
           all.push_back({placed, k});
         }
       }
     }
-    if (all.size() - first == 1) continue;
-    for (std::size_t n = first; n < all.size(); ++n) all[n].tie.name += " " + std::to_string(n - first + 1);
+    if (all.size() - first == 1) all.back().tie.name = tie.bar.name;
   }
   return all;
 }

@@ -49,12 +49,12 @@ std::vector<Interval> rooms_beside(const Floor& floor, const HousePlan& plan, in
   return rooms;
 }
 
-/// Refuses a bearing that leaves less than half a brick's width of a brick behind the beams.
+/// Refuses a bearing that leaves less than half a brick's width, as fitted to the wall, of a brick behind the beams.
 void check_piece_behind(const Floor& floor, std::size_t index, const WallPlan& wall, Tick depth, const HousePlan& plan) {
-  const Tick behind = wall.thickness - depth, least = plan.brick_width / 2;
+  const Tick behind = wall.thickness - depth;
   for (const int course : {0, 1}) {
     for (const Wythe& layer : wythes(plan, wall, course)) {
-      const Tick piece = behind - layer.depth.low;
+      const Tick piece = behind - layer.depth.low, least = std::min(plan.brick_width, layer.depth.length()) / 2;
       if (piece <= 0 || piece >= least || behind >= layer.depth.high) continue;
       throw InputError(floor_key(index, "bearing"), text(floor.bearing) + " m makes pockets that cut bricks of the " + name(wall.side) +
                                                         " wall to " + metres_text(piece) +

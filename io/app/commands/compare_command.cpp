@@ -72,7 +72,8 @@ int compare(const std::string& a, const std::string& b, bool json) {
   if (c.input) print("input", *c.input);
   print("first", *c.first);
   try {
-    std::printf("\n%s", measures_beside(summary_of(results_of(a)), summary_of(results_of(b))).c_str());
+    const std::string beside = measures_beside(summary_of(results_of(a)), summary_of(results_of(b)));
+    std::printf("\nA: %s\nB: %s\n%s", a.c_str(), b.c_str(), beside.c_str());
   } catch (const FileError& e) {
     std::printf("\nno measures: %s\n", e.what());  // files other than runs can also be compared
   }

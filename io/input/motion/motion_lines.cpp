@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "cases/case.h"
@@ -24,6 +26,8 @@ std::string done_to_record(const cases::Motion& motion, const std::array<double,
 
 namespace {
 
+constexpr double kMostOfPeak = 0.95;  // of a motion's peak, that a run should reach
+
 /// How [motion.intensity] was reached: along each axis the factor, and the peak acceleration before and after.
 std::string scaling_table(const cases::Motion& m, const cases::GroundMotion& applied) {
   std::string text = "motion.intensity         " + described(*m.intensity) + ", " + meaning_of(m.intensity->components) + "\n";
@@ -36,6 +40,27 @@ std::string scaling_table(const cases::Motion& m, const cases::GroundMotion& app
     text += line;
   }
   return text;
+}
+
+/// Peaks up to the end of a run that ends before the strongest part of its motion; else empty.
+std::string peaks_within(const cases::GroundMotion& applied, double end) {
+  std::string peaks;
+  bool weaker = false;
+  for (const cases::Accelerogram& a : applied.axis) {
+    double within = 0.0, whole = 0.0;
+    for (std::size_t k = 0; k < a.acceleration.size(); ++k) {
+      whole = std::max(whole, std::abs(a.acceleration[k]));
+      if (static_cast<double>(k) * a.dt <= end) within = whole;
+    }
+    weaker = weaker || within < kMostOfPeak * whole;
+    if (a.acceleration.empty()) continue;
+    char text[24];
+    std::snprintf(text, sizeof text, "%s%.4g", peaks.empty() ? "" : ", ", within);
+    peaks += text;
+  }
+  char line[160];
+  std::snprintf(line, sizeof line, "of it in the run         peaks %s m/s2 up to %.3f s: the run ends before the strongest part\n", peaks.c_str(), end);
+  return weaker ? line : "";
 }
 
 }  // namespace
@@ -52,6 +77,7 @@ std::string motion_lines(const cases::Case& c, const cases::GroundMotion& applie
                   f.peak_acceleration, f.peak_velocity, f.peak_displacement);
     text += line + a.name + "\n";
   }
+  text += peaks_within(applied, c.time.duration);
   const std::string done = done_to_record(*c.motion, applied.factor);
   if (!done.empty()) text += "done to the record       " + done + "\n";
   if (c.motion->intensity) text += scaling_table(*c.motion, applied);

@@ -124,7 +124,7 @@ std::string assessment_text(const Assessment& a, const std::vector<FloorAccelera
   if (points.empty()) return out;
   const bool low_passed = points.front().low_passed;  // all have the same rows
   out += printed("\n%-24s %13s %13s %13s %13s\n", "acceleration [m/s2]", "x", "y", "z", "horizontal");
-  out += printed("%-24s %13.2f %13.2f %13.2f %13s\n", "base, as recorded", peak(base.axis[0]), peak(base.axis[1]), peak(base.axis[2]), "");
+  out += printed("%-24s %13.2f %13.2f %13.2f %13s\n", "base, within the run", peak(base.axis[0]), peak(base.axis[1]), peak(base.axis[2]), "");
   for (const FloorAcceleration& p : points)
     out += printed("%-24s %13.2f %13.2f %13.2f %13.2f\n", p.name.c_str(), p.peak[0], p.peak[1], p.peak[2], p.peak_horizontal);
   return out + (low_passed ? printed("points: below %.0f Hz, as in summary; spectra (--spectra) are not filtered\n", kInstrumentCorner)

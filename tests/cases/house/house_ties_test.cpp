@@ -74,10 +74,10 @@ TEST_CASE("house ties: along all walls, in their middle") {
   c.house->ties = {rods(HouseTieKind::along, 0.25)};
   const Model m = build_model(c);
   REQUIRE(m.ties.size() == 4);
-  check_run(m.ties[0], "rods 1", {0.0, 0.1, 0.25}, {1.2, 0.1, 0.25});
-  check_run(m.ties[1], "rods 2", {1.1, 0.0, 0.25}, {1.1, 1.0, 0.25});
-  check_run(m.ties[2], "rods 3", {0.0, 0.9, 0.25}, {1.2, 0.9, 0.25});
-  check_run(m.ties[3], "rods 4", {0.1, 0.0, 0.25}, {0.1, 1.0, 0.25});
+  check_run(m.ties[0], "rods 1, front wall at 0.25 m", {0.0, 0.1, 0.25}, {1.2, 0.1, 0.25});
+  check_run(m.ties[1], "rods 2, right wall at 0.25 m", {1.1, 0.0, 0.25}, {1.1, 1.0, 0.25});
+  check_run(m.ties[2], "rods 3, rear wall at 0.25 m", {0.0, 0.9, 0.25}, {1.2, 0.9, 0.25});
+  check_run(m.ties[3], "rods 4, left wall at 0.25 m", {0.1, 0.0, 0.25}, {0.1, 1.0, 0.25});
   REQUIRE(m.tie_bill.size() == 1);
   CHECK(m.tie_bill[0].name == "rods");
   CHECK(m.tie_bill[0].ties == 4);
@@ -120,11 +120,11 @@ TEST_CASE("house ties: inside along one wall, across, and across corners, at sev
   const Model m = build_model(c);
   REQUIRE(m.ties.size() == 1 + 2 + 2 * 2);
   check_run(m.ties[0], "rods", {0.0, 0.75, 0.85}, {1.2, 0.75, 0.85});
-  check_run(m.ties[1], "cross 1", {0.3, 0.0, 0.75}, {0.3, 1.0, 0.75});
-  check_run(m.ties[2], "cross 2", {0.9, 0.0, 0.75}, {0.9, 1.0, 0.75});
-  check_run(m.ties[3], "corner 1", {0.4, 0.0, 0.75}, {0.0, 0.4, 0.75});
-  check_run(m.ties[4], "corner 2", {0.4, 1.0, 0.75}, {0.0, 0.6, 0.75});
-  check_run(m.ties[6], "corner 4", {0.4, 1.0, 0.85}, {0.0, 0.6, 0.85});
+  check_run(m.ties[1], "cross 1, front to rear wall, 0.3 m along, at 0.25 m", {0.3, 0.0, 0.75}, {0.3, 1.0, 0.75});
+  check_run(m.ties[2], "cross 2, front to rear wall, 0.9 m along, at 0.25 m", {0.9, 0.0, 0.75}, {0.9, 1.0, 0.75});
+  check_run(m.ties[3], "corner 1, front left corner at 0.25 m", {0.4, 0.0, 0.75}, {0.0, 0.4, 0.75});
+  check_run(m.ties[4], "corner 2, rear left corner at 0.25 m", {0.4, 1.0, 0.75}, {0.0, 0.6, 0.75});
+  check_run(m.ties[6], "corner 4, rear left corner at 0.35 m", {0.4, 1.0, 0.85}, {0.0, 0.6, 0.85});
 }
 
 TEST_CASE("house ties: turned and copied as the house is") {
@@ -216,8 +216,8 @@ TEST_CASE("house ties: along an inner wall, from outer face to outer face of the
   c.house->ties[0].walls = {"front", "spine"};
   const Model both = build_model(c);
   REQUIRE(both.ties.size() == 2);
-  check_run(both.ties[0], "rods 1", {0.0, 0.1, 0.25}, {1.2, 0.1, 0.25});
-  check_run(both.ties[1], "rods 2", {0.7, 0.0, 0.25}, {0.7, 1.0, 0.25});
+  check_run(both.ties[0], "rods 1, front wall at 0.25 m", {0.0, 0.1, 0.25}, {1.2, 0.1, 0.25});
+  check_run(both.ties[1], "rods 2, spine wall at 0.25 m", {0.7, 0.0, 0.25}, {0.7, 1.0, 0.25});
   check_refused(
       c,
       [](Case& with) {
@@ -300,7 +300,7 @@ TEST_CASE("house ties: what is refused") {
       [&](Case& c) {
         c.house->ties = {along, along};
       },
-      "house", "\"rods 1\" is the name of another tie, too");
+      "house", "\"rods 1, front wall at 0.25 m\" is the name of another tie, too");
   const auto net = [](const std::function<void(HouseMesh&)>& change) {
     HouseMesh m = mesh();
     change(m);

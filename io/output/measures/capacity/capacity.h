@@ -39,6 +39,7 @@ struct ControlPoint {
   std::int64_t element = 0;
   std::string part;  // of the building, or name of the block
   Vec3 position;     // m, of its centroid at the start, in the axes of the case file
+  bool timber;       // a beam or rafter
 };
 
 struct Capacity {

@@ -65,6 +65,12 @@ Json loops_json(const std::vector<Loop>& loops) {
   return out;
 }
 
+/// Why the analysis ended, in words.
+std::string end_words(const Capacity& c) {
+  if (c.ended != "history") return c.ended;
+  return c.kind == AnalysisKind::cyclic ? "end of its amplitudes" : "end of the movement of the supports";
+}
+
 std::string mechanisms(const Capacity& c) {
   return "mechanism            " + list(c.mechanism) + "\nmechanism at the end " + list(c.mechanism_at_end) + "\n";
 }
@@ -234,13 +240,14 @@ std::string capacity_text(const Capacity& c) {
   const bool failed = c.ended == "numerical failure", on = failed || c.ended == "not yet";  // figures so far
   std::string text = failed ? line("analysis", "%s, ended by: %s; figures up to there", name_of(c.kind), c.ended.c_str())
                      : on   ? line("analysis", "%s, not at its end: figures so far", name_of(c.kind))
-                            : line("analysis", "%s, ended by: %s", name_of(c.kind), c.ended.c_str());
+                            : line("analysis", "%s, ended by: %s", name_of(c.kind), end_words(c).c_str());
   if (c.by_rest()) text += line("times", "of the search for states of rest: they order what happens, and are no seconds of a movement");
   for (const std::string& doubt : not_proven(c)) text += line("not proven", "%s", doubt.c_str());
   if (c.control) {
     const Vec3 p = c.control->position;
     text += line("control point", "%s (element %lld), at (%.3f, %.3f, %.3f) m", c.control->part.c_str(),
                  static_cast<long long>(c.control->element), p.x, p.y, p.z);
+    if (c.control->timber) text += line("", "which may slip on its walls: analysis.control names a wall, as \"rear wall\", or a point in its place");
   }
   if (c.kind == AnalysisKind::rest) {
     const double share = share_at_rest(c);
