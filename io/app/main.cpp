@@ -60,6 +60,16 @@ std::string unexpected(const CLI::App& program, const std::string& said) {
   return said.substr(0, head + kHead.size()) + words + said.substr(end);
 }
 
+/// Refuses words without a letter, as of a variable of the shell that is not set. \throw CLI::ValidationError
+void refuse_empty_words(const CLI::App& program) {
+  for (const CLI::App* command : program.get_subcommands()) {
+    for (const CLI::Option* option : command->get_options()) {
+      if (std::ranges::any_of(option->results(), [](const std::string& word) { return word.empty(); }))
+        throw CLI::ValidationError(option->get_name(), "is empty");
+    }
+  }
+}
+
 /// Prints what the parser says of the words, with a suggestion. \return the exit code
 int end_parsing(const CLI::App& program, const CLI::ParseError& e, const std::string& suggestion) {
   std::ostringstream said;
@@ -95,6 +105,7 @@ int main(int argc, char** argv) {
   try {
     if (argc > 1) io::check_command_word(program, argv[1]);
     program.parse(argc, argv);
+    refuse_empty_words(program);
     return work(*std::ranges::find_if(commands, [&](const io::Command& c) { return program.got_subcommand(c.words); }));
   } catch (const CLI::ExtrasError& e) {
     return end_parsing(program, e, io::suggested_option(program, {argv + 1, argv + argc}));

@@ -71,8 +71,19 @@ std::string end_words(const Capacity& c) {
   return c.kind == AnalysisKind::cyclic ? "end of its amplitudes" : "end of the movement of the supports";
 }
 
+/// The parts that move, in words; of those that stay in place only how many there are.
+std::string moving(const std::vector<std::string>& parts) {
+  std::vector<std::string> words;
+  for (const std::string& part : parts)
+    if (part.find("stays in place") == std::string::npos) words.push_back(part);
+  const std::size_t still = parts.size() - words.size();
+  if (words.empty()) return still == 0 ? "none" : "none: nothing has moved by 5 mm";
+  if (still > 0) words.push_back(std::to_string(still) + (still == 1 ? " part stays in place" : " parts stay in place"));
+  return list(words);
+}
+
 std::string mechanisms(const Capacity& c) {
-  return "mechanism            " + list(c.mechanism) + "\nmechanism at the end " + list(c.mechanism_at_end) + "\n";
+  return "mechanism            " + moving(c.mechanism) + "\nmechanism at the end " + moving(c.mechanism_at_end) + "\n";
 }
 
 double hanging_length(const Capacity& c) {
@@ -256,13 +267,13 @@ std::string capacity_text(const Capacity& c) {
                 : line("at rest", "up to %.4f of the loads that grow and of the supports' movements%s", share,
                        on ? ", so far" : "; no state of rest was found beyond");
     return text + line("supports moved", "by %.4f m", c.curve.support_moved.back()) + hanging_text(c.hanging) + "mechanism at the end " +
-           list(c.mechanism_at_end) + "\n";
+           moving(c.mechanism_at_end) + "\n";
   }
   if (c.kind == AnalysisKind::settlement) {
     text += std::isnan(c.collapse_movement)
                 ? line("fell", "%s; supports moved by %.4f m", on ? "not so far" : "never", c.curve.support_moved.back())
                 : line("fell", "after a movement of %.4f m, at %.2f s", c.collapse_movement, c.collapse_time);
-    return text + hanging_text(c.hanging) + "mechanism at the end " + list(c.mechanism_at_end) + "\n";
+    return text + hanging_text(c.hanging) + "mechanism at the end " + moving(c.mechanism_at_end) + "\n";
   }
   if (c.fallen_before > 0.0)
     text += line("before the load", "%.1f %% of the mass fell while gravity was put on: these figures are of the state after the fall",

@@ -123,6 +123,16 @@ TEST_CASE("words that mean nothing are refused with what is allowed; lost output
   CHECK(shell::code_of(shell::kProgram + " cases >/dev/full 2>/dev/null") == 3);
 }
 
+TEST_CASE("an empty word, as of a variable that is not set, is refused with its name") {
+  for (const char* words : {"summary", "assess", "report", "check", "compare x", "resume", "motion", "study", "run", "view", "bench", "modes", "limit"}) {
+    const shell::Outcome o = shell::run(std::string(shell::kProgram) + " " + words + " '' 2>&1");
+    CHECK_MESSAGE(o.code == 2, words << ": " << o.text);
+    CHECK_MESSAGE(o.text.find(": is empty\n") != std::string::npos, words << ": " << o.text);
+  }
+  const shell::Outcome o = shell::run(std::string(shell::kProgram) + " run hut -o '' 2>&1");
+  CHECK_MESSAGE(o.text.find("--output: is empty\n") != std::string::npos, o.text);
+}
+
 TEST_CASE("a file that cannot be written is named before the work") {
   const Pillar pillar;
   const std::string file = shell::quoted(pillar.file), nowhere = shell::quoted(pillar.folder.path("nowhere/x")),
