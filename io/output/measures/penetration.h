@@ -8,7 +8,7 @@
 
 #include "geometry/grid.h"
 #include "geometry/separation.h"
-#include "io/output/measures/building.h"
+#include "io/output/measures/building/building.h"
 #include "io/output/replay/placed_elements.h"
 
 namespace voussoir::io {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "cases/model.h"
-#include "io/output/measures/building.h"
+#include "io/output/measures/building/building.h"
 
 namespace voussoir::io {
 namespace {

@@ -22,7 +22,7 @@
 #include "io/input/motion/motion_files.h"
 #include "io/input/motion/spectra/figures.h"
 #include "io/input/motion/spectra/intensity.h"
-#include "io/output/measures/building.h"
+#include "io/output/measures/building/building.h"
 #include "io/output/measures/capacity/capacity.h"
 #include "io/output/measures/measures_file.h"
 #include "io/output/measures/place_in_run.h"

@@ -19,7 +19,7 @@ struct ReportFacts {
   /// JSON for a script element: title; motion (direction, record, scale, peak: of the ground's acceleration along x, y, z, m/s²); ground:
   /// its position in each frame, x, y, z, m (absent without a motion); worst: where the page opens (worst_moment.h); summary; measures;
   /// provenance; times, s; base: its height, m, or null; parts and materials: names; walls (name, box, across, outward as in
-  /// io/output/measures/building.h); rooms (low, high: corners, m).
+  /// io/output/measures/building/building.h); rooms (low, high: corners, m).
   std::string json;
   /// JSON list of the plots. A plot has title, unit, t (s) and curves (name, y); "stack": true if curves are stacked, except for the last,
   /// which is the input and equals the sum of the others; "clip": magnitude beyond which nothing is drawn. Missing values are null.

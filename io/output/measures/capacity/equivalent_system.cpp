@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/output/measures/building.h"
+#include "io/output/measures/building/building.h"
 #include "io/output/replay/frame_reader.h"
 
 namespace voussoir::io {

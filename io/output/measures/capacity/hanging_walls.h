@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/output/measures/building.h"
+#include "io/output/measures/building/building.h"
 #include "io/output/replay/placed_elements.h"
 
 namespace voussoir::io {

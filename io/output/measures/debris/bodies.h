@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "geometry/vec3.h"
-#include "io/output/measures/building.h"
+#include "io/output/measures/building/building.h"
 #include "io/output/replay/placed_elements.h"
 
 /// The mechanism of a collapse: bodies of many elements that move as one, and the lines about which they rotate (io/MEASURES.md).

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "io/input/files/errors.h"
-#include "io/output/measures/building.h"
+#include "io/output/measures/building/building.h"
 #include "tests/io/output/measures/hut.h"
 #include "tests/io/results_fixture.h"
 
@@ -121,7 +121,8 @@ TEST_CASE("a floor between walls of any plan covers the storeys that end below i
   const auto covers = [](const std::string& height) {
     std::string text = kStoreys;
     for (const char* place : {"0.0", "1.2"}) {
-      text += std::string("[[wall]]\nname = \"at ") + place + "\"\npoints = [[4.0, " + place + "], [6.0, " + place + "]]\nthickness = 0.2\n";
+      text +=
+          std::string("[[wall]]\nname = \"at ") + place + "\"\npoints = [[4.0, " + place + "], [6.0, " + place + "]]\nthickness = 0.2\n";
       text += "height = " + height + "\nmaterial = \"adobe\"\n";
     }
     text += "[[floor]]\nname = \"floor 2\"\nwalls = [\"at 0.0\", \"at 1.2\"]\nmaterial = \"wood\"\nbeam = [0.1, 0.1]\nspacing = 0.5\n";

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/output/measures/wall_drift.h"
+#include "io/output/measures/building/wall_drift.h"
 
 #include <cmath>
 

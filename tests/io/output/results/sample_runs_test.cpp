@@ -11,7 +11,7 @@
 #include "io/app/commands/summary_command.h"
 #include "io/app/session/session.h"
 #include "io/output/assess/assess_words.h"
-#include "io/output/measures/building.h"
+#include "io/output/measures/building/building.h"
 #include "io/output/replay/run_file.h"
 #include "io/output/report/paraview_files.h"
 #include "io/output/report/report_data.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/output/measures/building.h"
+#include "io/output/measures/building/building.h"
 
 #include <algorithm>
 #include <array>

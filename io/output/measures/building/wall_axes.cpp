@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/output/measures/wall_axes.h"
+#include "io/output/measures/building/wall_axes.h"
 
 #include <algorithm>
 #include <cmath>

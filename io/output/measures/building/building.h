@@ -11,7 +11,7 @@
 
 #include "cases/model.h"
 #include "io/input/files/hdf5_file.h"
-#include "io/output/measures/wall_axes.h"
+#include "io/output/measures/building/wall_axes.h"
 
 /// The building of a run as the collapse measures need it: elements and position of each wall, rooms between the walls.
 namespace voussoir::io {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "io/output/measures/building.h"
+#include "io/output/measures/building/building.h"
 #include "io/output/replay/placed_elements.h"
 
 namespace voussoir::io {
