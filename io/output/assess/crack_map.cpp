@@ -17,7 +17,7 @@ namespace {
 
 using geometry::Point2;
 
-constexpr double kMargin = 40.0, kHead = 62.0, kFoot = 92.0;  // user units
+constexpr double kMargin = 40.0, kHead = 62.0, kFoot = 108.0;  // user units
 constexpr double kWidest = 1000.0;                            // user units, greatest width of the elevation
 constexpr double kLargestScale = 240.0;                       // units per metre
 constexpr double kLeastSheet = 820.0;                         // user units, least width of the sheet, for the legend
@@ -141,7 +141,7 @@ class Map {
       x += 122.0;
     }
     svg.text(
-        {kMargin, top + 44.0},
+        {kMargin, top + 62.0},
         "width: opening and sliding together; written: number of the crack in the table, its width in mm; grey: fallen; slip of timber "
         "is left out",
         11.0, "start", "#444");
