@@ -14,6 +14,7 @@
 #include "cases/model.h"
 #include "geometry/message.h"
 #include "geometry/nth.h"
+#include "io/output/assess/limit_parts.h"
 #include "solver/limit/kinematics/mechanism.h"
 
 namespace voussoir::io {
@@ -96,6 +97,8 @@ void print_state(std::string& out, const char* rule, const solver::LimitState& s
   double all = m.standing;
   for (const solver::MechanismPart& p : m.parts) all += p.mass;
   out += printed("\nmechanism, %s: %zu parts move, %.1f %% of the mass stands\n", rule, m.parts.size(), 100.0 * m.standing / all);
+  const std::string moving = moving_parts(s, model, c);
+  out += moving + (moving.empty() ? "" : "\n");
   for (std::size_t k = 0; k < std::min(kMostLines, m.parts.size()); ++k) {
     const solver::MechanismPart& p = m.parts[k];
     out +=

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
 
 #include "solver/limit/programme/linear_programme.h"
 #include "tests/io/shell.h"
@@ -208,4 +211,23 @@ TEST_CASE("states of rest have no speeds and no accelerations, and their times a
   REQUIRE(w.output("run block.toml -o shaken --quiet").code == 0);
   CHECK(w.output("summary shaken").text.find("peak speed") != std::string::npos);
   CHECK(w.output("assess shaken").text.find("acceleration [m/s2]") != std::string::npos);
+}
+
+TEST_CASE("limit: what moves is told by walls, which fall the way that they are pushed" *
+          doctest::skip(!voussoir::solver::has_linear_programmes())) {
+  const Words w;
+  const std::string hut = shell::quoted(VOUSSOIR_SOURCE_DIR "/cases/tutorial/hut.toml");
+  for (const auto& [direction, wall, sign] : {std::tuple{"x", "right wall", 1.0}, {"-x", "left wall", -1.0}}) {
+    const shell::Outcome o = w.output("limit " + hut + " --associated --quiet --direction " + direction);
+    REQUIRE_MESSAGE(o.code == 0, o.text);
+    const std::size_t table = o.text.find("\nwhat moves"), first = o.text.find('\n', table + 1) + 1;
+    REQUIRE_MESSAGE(table != std::string::npos, o.text);
+    const std::string line = o.text.substr(first, o.text.find('\n', first) - first);
+    CHECK_MESSAGE(line.starts_with(wall), line);
+    std::array<double, 3> v{};
+    REQUIRE(std::sscanf(line.c_str() + line.find('('), "(%lf,%lf,%lf)", &v[0], &v[1], &v[2]) == 3);
+    CHECK_MESSAGE(sign * v[0] > 0.2, line);
+    CHECK_MESSAGE(std::abs(v[1]) < 0.5 * std::abs(v[0]), line);
+  }
+  CHECK(w.output("limit block.toml --quiet").text.find("what moves") == std::string::npos);  // of one block there is nothing to tell
 }
