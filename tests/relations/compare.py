@@ -4,7 +4,7 @@
 import numpy
 from scipy.spatial import cKDTree
 
-from measure import AXIAL, COUNT, PEAKS, VECTOR
+from measure import AXIAL, COUNT, PEAKS, SIDED, VECTOR
 
 BITS = "bits"
 
@@ -21,6 +21,8 @@ def expected(value, change):
     if value.kind == COUNT:
         return data
     factor = change.scale ** exponent(value)
+    if value.kind == SIDED:
+        factor *= numpy.sign(numpy.linalg.det(change.turn))
     turn = change.turn if value.kind == VECTOR else numpy.linalg.det(change.turn) * change.turn if value.kind == AXIAL else None
     if value.kind == PEAKS:
         return factor * (numpy.abs(change.turn) @ data)

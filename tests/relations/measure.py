@@ -10,7 +10,8 @@ import subprocess
 import h5py
 import numpy
 
-SCALAR, VECTOR, AXIAL, PEAKS, COUNT = "scalar", "vector", "axial", "peaks", "count"  # peaks: of each axis by itself
+# peaks: of each axis by itself; sided: with the sign of right or left
+SCALAR, SIDED, VECTOR, AXIAL, PEAKS, COUNT = "scalar", "sided", "vector", "axial", "peaks", "count"
 # Dimensions: exponents of mass, length, time.
 ONE, LENGTH, TIME, MASS, AREA, VOLUME = (0, 0, 0), (0, 1, 0), (0, 0, 1), (1, 0, 0), (0, 2, 0), (0, 3, 0)
 FORCE, MOMENT, ENERGY, SPEED, ACCELERATION, RATE = (1, 1, -2), (1, 2, -2), (1, 2, -2), (0, 1, -1), (0, 1, -2), (0, 0, -1)

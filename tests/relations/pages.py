@@ -8,7 +8,8 @@ import zlib
 
 import numpy
 
-from measure import ACCELERATION, AREA, AXIAL, COUNT, ENERGY, FORCE, LENGTH, ONE, SCALAR, SPEED, VECTOR, VOLUME, Refused, Value, call, json_of
+import plans
+from measure import ACCELERATION, AREA, AXIAL, COUNT, ENERGY, FORCE, LENGTH, ONE, SCALAR, SIDED, SPEED, VECTOR, VOLUME, Refused, Value, call, json_of
 
 ELEMENT = re.compile(r'<script type="[^"]*" id="([a-z0-9-]+)">(.*?)</script>', re.DOTALL)
 # What a curve's unit says: how it scales, and how fine the page is.
@@ -56,7 +57,7 @@ def report(voussoir, case, path, more):
     elements = elements_of(page)
     out = {"place": places(elements, case)}
     for plot in json.loads(zlib.decompress(base64.b64decode(elements["curves"]))):
-        curves = {c["name"]: numpy.array([numpy.nan if y is None else y for y in c["y"]], float) for c in plot["curves"]}
+        curves = {plans.side(c["name"]): numpy.array([numpy.nan if y is None else y for y in c["y"]], float) for c in plot["curves"]}
         name, dimension = "curves: " + plot["title"], UNITS.get(plot["unit"])
         if name == LOADED:  # by the numbers of loads, which may be in another order, or two in place of one
             curves = {"largest": numpy.nanmax(numpy.stack(list(curves.values())), axis=0)}
@@ -64,7 +65,8 @@ def report(voussoir, case, path, more):
             kind = AXIAL if "otation" in name else VECTOR
             out[name] = Value(numpy.stack([curves.get(k, 0.0 * curves["x"]) for k in "xyz"], axis=1), kind, dimension or ONE)
         elif dimension is not None:
-            out |= {f"{name}, {k}": Value(y, SCALAR, dimension, group=name, floor=1.0 if dimension == ONE else 0.0) for k, y in curves.items()}
+            kind = SIDED if plot["title"].startswith("Storey drift") else SCALAR  # to the right, as seen from outside
+            out |= {f"{name}, {k}": Value(y, kind, dimension, group=name, floor=1.0 if dimension == ONE else 0.0) for k, y in curves.items()}
     return out
 
 
@@ -79,7 +81,7 @@ def summary(voussoir, case, path, more):
     for wall in said["walls"]:
         for k in ("peak_drift", "peak_in_plane_drift", "crack_extent", "opened_extent"):
             if wall.get(k) is not None:
-                out[f"{wall['name']}: {k}"] = Value(numpy.abs(numpy.array(wall[k])), SCALAR, ONE, floor=1.0)
+                out[f"{plans.side(wall['name'])}: {k}"] = Value(numpy.abs(numpy.array(wall[k])), SCALAR, ONE, floor=1.0)
     return out
 
 

@@ -111,6 +111,11 @@ def in_other_order(rng, case):
 
 
 
+def side(name):
+    """The name of a side, whose last word tells whether it runs along an axis."""
+    return name.removesuffix("ing") if name.endswith(" walling") else name
+
+
 def sides(case):
-    """Names of the sides of all walls, with which the numbers of those along x or y begin."""
+    """Names of the sides of all walls, with which their numbers begin."""
     return tuple(f"{w['name']} " for w in case.plan["wall"])

@@ -10,9 +10,9 @@ import plans
 from data import UNITS
 
 BITS, ROUND_OFF = "bits", "round-off"
-# Of walls along x or y, and what follows from them.
-DRIFTS = ("summary: peak_drift", "summary: residual_drift", "summary: peak_in_plane_drift", "summary: damage_grade", "peak_drift", "residual_drift",
-          "peak_in_plane_drift", "damage_grade", "storeys", "curves: Out-of-plane drift", "curves: Storey drift", "curves: In-plane drift")
+# Of pieces of the top of a wall of about a metre, whatever the scale; pieces of a wall are one or several.
+DRIFTS_OF_PIECES = ("summary: peak_drift", "summary: residual_drift", "summary: peak_in_plane_drift", "peak_drift", "residual_drift", "peak_in_plane_drift",
+                    "curves: Out-of-plane drift", "curves: In-plane drift")
 AFTER_RUN = ("run", "summary", "assess", "report")
 
 
@@ -122,7 +122,7 @@ def any_turn(rng, case):
         return None
     degrees = round(rng.uniform(5.0, 85.0) + 90.0 * rng.randrange(4), 2)
     R = rotation(degrees)
-    return turn_all(case, R), Change(turn=R, detail=f"by {degrees} degrees", leave_out=DRIFTS + plans.sides(case) if case.plan else ())
+    return turn_all(case, R), Change(turn=R, detail=f"by {degrees} degrees")
 
 
 def two_grids_are_possible(case):
@@ -293,6 +293,7 @@ def scaled(rng, case):
     absolute = ("summary: settled", "settled", "summary: touching", "summary: deep", "summary: debris", "acceleration ")  # the last: below 50 Hz
     if case.plan:
         absolute += ("joint area", "element inertia")  # bricks end on whole nanometres, whatever the scale
+        absolute += DRIFTS_OF_PIECES + plans.sides(case)
     return out, Change(scale=factor, detail=f"by {factor}", commands=commands, leave_out=absolute)
 
 
