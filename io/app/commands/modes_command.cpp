@@ -96,6 +96,12 @@ std::vector<MainMode> main_modes(const solver::World& world, const std::vector<s
   return found;
 }
 
+/// Of the lowest modes and those above local ones, that with the largest share of the mass along x or y.
+const solver::Mode& of_building(const std::vector<solver::Mode>& modes, const std::vector<MainMode>& main, int axis) {
+  const auto above = std::ranges::find(main, axis, &MainMode::axis);
+  return above == main.end() ? dominant(modes, axis) : above->mode;
+}
+
 void print_main_modes(const std::vector<MainMode>& modes) {
   for (const auto& [axis, mode] : modes) {
     const Vec3 s = mode.mass_share;
@@ -115,10 +121,11 @@ void print_modes(const std::vector<solver::Mode>& modes, bool closed) {
 }
 
 /// Points whose motion is analysed if the case names none.
-std::vector<cases::HistoryPoint> most_moved(const cases::Model& model, const std::vector<solver::Mode>& modes) {
+std::vector<cases::HistoryPoint> most_moved(const cases::Model& model, const std::vector<solver::Mode>& modes,
+                                            const std::vector<MainMode>& main) {
   std::vector<cases::HistoryPoint> points;
   for (int axis = 0; axis < 2; ++axis) {
-    const std::size_t element = most_moved_by(dominant(modes, axis));
+    const std::size_t element = most_moved_by(of_building(modes, main, axis));
     points.push_back({"element " + std::to_string(element), model.assembly.elements[element].mass.centroid});
   }
   return points;
@@ -142,7 +149,8 @@ Impulses impulses(const cases::Case& c, const cases::Model& model, const ModesOp
   return response;
 }
 
-void print_impulse(const cases::Case& c, const std::vector<solver::Mode>& modes, const Impulses& response) {
+void print_impulse(const cases::Case& c, const std::vector<solver::Mode>& modes, const std::vector<MainMode>& main,
+                   const Impulses& response) {
   std::printf("\nimpulse of 1 m/s2 in one sample of %g s, undamped, %g s; bins of %.3f Hz\n%-16s %14s %14s\n", solver::kImpulseInterval,
               solver::kImpulseInterval * solver::kImpulseSamples, 1.0 / (solver::kImpulseInterval * solver::kImpulseSamples), "point",
               "x by x [Hz]", "y by y [Hz]");
@@ -152,7 +160,7 @@ void print_impulse(const cases::Case& c, const std::vector<solver::Mode>& modes,
       std::printf(" %14.3f", solver::dominant_frequency(r.displacement[k], solver::kImpulseInterval));
     std::printf("\n");
   }
-  std::printf("%-16s %14.3f %14.3f\n", "eigenvalue", dominant(modes, 0).frequency, dominant(modes, 1).frequency);
+  std::printf("%-16s %14.3f %14.3f\n", "eigenvalue", of_building(modes, main, 0).frequency, of_building(modes, main, 1).frequency);
   const std::int64_t broken = response[0].broken + response[1].broken;
   if (broken > 0)
     std::printf("warning: %lld contact points of joints broke or slipped under the impulse: its frequencies are not the sound house's\n",
@@ -209,12 +217,12 @@ int modes(const LoadedCase& loaded, const ModesOptions& o, int threads) {
   }
   if (!o.shapes.empty()) write_output(shapes, mode_shapes_vtu(model, modes));
   std::fflush(stdout);
-  if (!o.no_impulse && c.output.history.empty()) c.output.history = most_moved(model, modes);
+  if (!o.no_impulse && c.output.history.empty()) c.output.history = most_moved(model, modes, main);
   const std::optional<Impulses> response = o.no_impulse ? std::nullopt : std::optional(impulses(c, model, o, threads));
   if (o.json)
     print_json(c, modes, main, held_by_nothing, response);
   else if (response)
-    print_impulse(c, modes, *response);
+    print_impulse(c, modes, main, *response);
   return kDone;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "cases/case.h"
+#include "geometry/message.h"
 #include "io/input/motion/motion_files.h"
 #include "io/input/motion/spectra/figures.h"
 #include "io/input/motion/spectra/intensity.h"
@@ -44,23 +45,22 @@ std::string scaling_table(const cases::Motion& m, const cases::GroundMotion& app
 
 /// Peaks up to the end of a run that ends before the strongest part of its motion; else empty.
 std::string peaks_within(const cases::GroundMotion& applied, double end) {
-  std::string peaks;
-  bool weaker = false;
-  for (const cases::Accelerogram& a : applied.axis) {
+  std::string peaks, weaker;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const cases::Accelerogram& a = applied.axis[i];
     double within = 0.0, whole = 0.0;
     for (std::size_t k = 0; k < a.acceleration.size(); ++k) {
       whole = std::max(whole, std::abs(a.acceleration[k]));
       if (static_cast<double>(k) * a.dt <= end) within = whole;
     }
-    weaker = weaker || within < kMostOfPeak * whole;
     if (a.acceleration.empty()) continue;
-    char text[24];
-    std::snprintf(text, sizeof text, "%s%.4g", peaks.empty() ? "" : ", ", within);
-    peaks += text;
+    const auto join = [](std::string& list, const std::string& word) { list += (list.empty() ? "" : ", ") + word; };
+    join(peaks, geometry::printed("%.4g", within));
+    if (within < kMostOfPeak * whole) join(weaker, std::string(1, "xyz"[i]));
   }
-  char line[160];
-  std::snprintf(line, sizeof line, "of it in the run         peaks %s m/s2 up to %.3f s: the run ends before the strongest part\n", peaks.c_str(), end);
-  return weaker ? line : "";
+  if (weaker.empty()) return "";
+  return geometry::printed("of it in the run         peaks %s m/s2 up to %.3f s: along %s the run ends before the strongest part\n",
+                           peaks.c_str(), end, weaker.c_str());
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ std::string moving(const std::vector<std::string>& parts) {
   for (const std::string& part : parts)
     if (part.find("stays in place") == std::string::npos) words.push_back(part);
   const std::size_t still = parts.size() - words.size();
-  if (words.empty()) return still == 0 ? "none" : "none: nothing has moved by 5 mm";
+  if (words.empty()) return still == 0 ? "none" : "none: no part of 1 % of the mass has moved as one by 5 mm in the mean";
   if (still > 0) words.push_back(std::to_string(still) + (still == 1 ? " part stays in place" : " parts stay in place"));
   return list(words);
 }
@@ -172,11 +172,18 @@ const char* name_of(AnalysisKind kind) {
 }
 
 std::vector<std::string> not_proven(const Capacity& c) {
-  if (!(c.lost_residual > solver::kResidualLimit)) return {};
-  char text[160];
-  std::snprintf(text, sizeof text, "contacts jumped from iteration to iteration (energy error %.2g): a state of rest may have been missed",
-                c.lost_residual);
-  return {text};
+  std::vector<std::string> doubts;
+  if (c.lost_residual > solver::kResidualLimit) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "contacts jumped from iteration to iteration (energy error %.2g): a state of rest may have been missed", c.lost_residual);
+    doubts.emplace_back(text);
+  }
+  if (c.kind != AnalysisKind::cyclic && c.ultimate_displacement < c.peak_displacement)
+    doubts.emplace_back(
+        "the control point moves back after the peak, so ultimate, near collapse and ductility are not those of the part that "
+        "fails: set analysis.control to a part that the mechanism names");
+  return doubts;
 }
 
 std::vector<Figure> figures_of(const Capacity& c) {
@@ -258,7 +265,8 @@ std::string capacity_text(const Capacity& c) {
     const Vec3 p = c.control->position;
     text += line("control point", "%s (element %lld), at (%.3f, %.3f, %.3f) m", c.control->part.c_str(),
                  static_cast<long long>(c.control->element), p.x, p.y, p.z);
-    if (c.control->timber) text += line("", "which may slip on its walls: analysis.control names a wall, as \"rear wall\", or a point in its place");
+    if (c.control->timber)
+      text += line("", "which may slip on its walls: analysis.control names a wall, as \"rear wall\", or a point in its place");
   }
   if (c.kind == AnalysisKind::rest) {
     const double share = share_at_rest(c);

@@ -108,6 +108,33 @@ TEST_CASE("capacity: a curve that turns back before its yield displacement has n
   CHECK(capacity_text(got).find("ductility none, the curve turns back") != std::string::npos);
 }
 
+TEST_CASE("capacity: figures of displacement are not proven where the control point has moved back") {
+  CapacityCurve c = trilinear(7e-3);
+  const Capacity on = capacity_of(cases::AnalysisKind::pushover, 0.2, kPace, kWeight, 0.0, c);
+  CHECK(on.ultimate_displacement > on.peak_displacement);
+  CHECK(not_proven(on).empty());
+  const std::size_t turn = 500, rows = c.time.size();
+  for (std::size_t i = turn; i < rows; ++i) {
+    const double t = static_cast<double>(i - turn) / static_cast<double>(rows - 1 - turn);
+    c.displacement[i] = 5e-3 - 4.4e-3 * t, c.base_shear[i] = 1e4 * (1.0 - 0.21 * t);
+  }
+  const Capacity got = capacity_of(cases::AnalysisKind::pushover, 0.2, kPace, kWeight, 0.0, c);
+  REQUIRE(got.ultimate_displacement < got.peak_displacement);
+  REQUIRE(not_proven(got).size() == 1);
+  CHECK(capacity_text(got).find("not proven           the control point moves back after the peak") != std::string::npos);
+  CHECK(capacity_text(got).find("set analysis.control to a part that the mechanism names\n") != std::string::npos);
+}
+
+TEST_CASE("capacity: parts that stay in place are counted, those that move are named") {
+  Capacity c = capacity_of(cases::AnalysisKind::pushover, 0.2, kPace, kWeight, 0.0, trilinear(7e-3));
+  c.mechanism = {"building, stays in place (elements: 9)", "front wall, turns out (elements: 3)",
+                 "rear wall, stays in place (elements: 2)"};
+  c.mechanism_at_end = {"building, stays in place (elements: 14)"};
+  CHECK(capacity_text(c).find("mechanism            front wall, turns out (elements: 3); 2 parts stay in place\n") != std::string::npos);
+  CHECK(capacity_text(c).find("mechanism at the end none: no part of 1 % of the mass has moved as one by 5 mm in the mean\n") !=
+        std::string::npos);
+}
+
 TEST_CASE("capacity: of what fell before the load began the text says so") {
   Capacity c = capacity_of(cases::AnalysisKind::pushover, 0.2, kPace, kWeight, 0.0, trilinear(7e-3));
   CHECK(capacity_text(c).find("while gravity was put on") == std::string::npos);

@@ -231,3 +231,33 @@ TEST_CASE("limit: what moves is told by walls, which fall the way that they are 
   }
   CHECK(w.output("limit block.toml --quiet").text.find("what moves") == std::string::npos);  // of one block there is nothing to tell
 }
+
+TEST_CASE("modes: the eigenvalue beside the impulse is the building's, however many local modes lie below") {
+  // A block on a bed of mortar, and twelve light ones that hang on soft joints at its side.
+  std::string text =
+      "title = \"local modes\"\n[gravity]\nsettle = false\n[damping]\nratio = 0.02\nfrequency = 20.0\n[time]\nduration = 0.1\n"
+      "[materials.stone]\ndensity = 2000.0\nyoung = 1e9\npoisson = 0.2\n[materials.cork]\ndensity = 100.0\nyoung = 1e9\npoisson = 0.2\n"
+      "[joint_laws.bed]\ntension = 1e6\ncohesion = 1e6\nfriction = 30.0\ncompression = 1e7\nthickness = 0.01\nyoung = 2e7\npoisson = 0.2\n"
+      "[joint_laws.soft]\ntension = 1e6\ncohesion = 1e6\nfriction = 30.0\ncompression = 1e7\nthickness = 0.01\nyoung = 2e3\npoisson = 0.2\n"
+      "[joints]\ndefault = \"bed\"\n[[joints.between]]\nmaterials = [\"cork\", \"stone\"]\nlaw = \"soft\"\n[contact]\nfriction = "
+      "30.0\n[base]\n"
+      "[[block]]\nname = \"body\"\nmaterial = \"stone\"\nbox = [[0.0, 0.0, 0.0], [3.0, 0.5, 0.8]]\n";
+  for (int k = 0; k < 12; ++k) {
+    char block[160];
+    std::snprintf(block, sizeof block, "[[block]]\nname = \"cork %d\"\nmaterial = \"cork\"\nbox = [[%.2f, 0.5, 0.4], [%.2f, 0.6, 0.5]]\n",
+                  k, 0.05 + 0.24 * k, 0.15 + 0.24 * k);
+    text += block;
+  }
+  const Words w;
+  w.folder.write("local.toml", text);
+  const shell::Outcome o = w.output("modes local.toml --count 8 -j 1 --quiet");
+  REQUIRE_MESSAGE(o.code == 0, o.text);
+  std::array<double, 2> told{}, row{};
+  for (const int axis : {0, 1}) {
+    const std::size_t end = o.text.find(std::string("   the building along ") + "xy"[axis]);
+    REQUIRE_MESSAGE(end != std::string::npos, o.text);
+    told[static_cast<std::size_t>(axis)] = std::stod(o.text.substr(o.text.rfind('\n', end) + 1));
+  }
+  REQUIRE(std::sscanf(o.text.c_str() + o.text.find("\neigenvalue  ") + 11, "%lf %lf", &row[0], &row[1]) == 2);
+  CHECK(row == told);
+}
