@@ -169,7 +169,7 @@ void print_walls(const Measures& m) {
   for (const WallMeasures& w : m.walls)
     std::printf("%-*s %8s %12s %11s %10s %9s %12s %12s %12s\n", indent, w.name.c_str(), percent(w.fallen_mass_fraction).c_str(),
                 seconds(w.first_fallen_time).c_str(), drift(w.peak_drift).c_str(), drift(w.residual_drift).c_str(),
-                drift(w.peak_in_plane_drift).c_str(), text("%.2f", w.crack_extent).c_str(), text("%.2f", w.large_crack_extent).c_str(),
+                drift(std::abs(w.peak_in_plane_drift)).c_str(), text("%.2f", w.crack_extent).c_str(), text("%.2f", w.large_crack_extent).c_str(),
                 text("%.2f", w.settling_crack_extent).c_str());
   if (!std::isnan(m.roof_fallen_mass_fraction))
     std::printf("%-*s %8s %12s\n", indent, "roof", percent(m.roof_fallen_mass_fraction).c_str(), seconds(m.roof_first_fallen_time).c_str());
