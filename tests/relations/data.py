@@ -74,7 +74,7 @@ class Case:
     size: float = None  # of segments
     times: dict = dataclasses.field(default_factory=dict)  # ramp, settle, duration, history, frame, ledger
     settle: bool = True
-    capacity: dict = None  # keys of [analysis] for a pushover or a tilt of the same case
+    capacity: dict = None  # keys of [analysis] for a pushover, a tilt or states of rest of the same case
     live: numpy.ndarray = None  # direction of the live load of `voussoir limit`
     unit: str = None  # the blocks are stones of a file in this unit; none: they stand in the case
     pivot: numpy.ndarray = None  # where the model stands: a point that is moved with it

@@ -183,6 +183,12 @@ def move_a_support(rng, case):
     case.kind += ", a support turns"
 
 
+def move_slowly(rng, case):
+    """Small models whose support moves are also led from one state of rest to the next while it does."""
+    if any(b.motion is not None for b in case.blocks) and len(case.blocks) <= 24:
+        case.capacity = {"kind": "rest"}
+
+
 def on_raster(case):
     """All points on a raster so fine that a point moved by 10,000 km is still a double without rounding."""
     def nearest(p):
@@ -256,5 +262,6 @@ def drawn(rng):
     finish(rng, case)
     load_slowly(rng, case)
     move_a_support(rng, case)
+    move_slowly(rng, case)
     on_raster(case)
     return case

@@ -148,8 +148,12 @@ LEAST_SPEED = 0.01 * 9.8 * 0.01  # m/s
 LEAST_WAY = 0.5 * LEAST_SPEED * 0.01  # m
 
 
+def weight_of(f):
+    return float(f["model/element/mass"][:][f["model/element/fixed"][:] == 0].sum()) * 9.8
+
+
 def of_tables(case, f):
-    weight = float(f["model/element/mass"][:][f["model/element/fixed"][:] == 0].sum()) * 9.8
+    weight = weight_of(f)
     # Displacements are measured by the largest at the last frame, loads by the weight.
     x = f["frames/displacement"][:].astype(float)
     moved = max(float(numpy.abs(x).max()), 1e-12)
@@ -212,6 +216,20 @@ LEAST_FACTOR = 1e-3
 CAPACITY = {"multiplier": ONE, "peak_shear": FORCE, "first_stiffness": STIFFNESS}  # a peak may be level, so it has no place
 
 
+def at_rest(f):
+    """The last state of rest, if all movements of supports are done: where points are, and what the base bears."""
+    ended = f["capacity"].attrs["ended"]
+    if (ended if isinstance(ended, str) else ended.decode()) != "all is on":
+        return {}
+    force = f["forces/base_shear"][-1]
+    out = {"rest: base": Value(force, VECTOR, FORCE, floor=weight_of(f))}
+    for name, history in f["history"].items():
+        if name != "time":
+            out[f"rest: {name}"] = Value(history["displacement"][-1], VECTOR, LENGTH, group="rest: displacement")
+            out[f"rest: {name}, rotation"] = Value(history["rotation"][-1], AXIAL, ONE, group="rest: rotation", floor=LEAST_WAY / size_of(f))
+    return out
+
+
 def of_capacity(f):
     a = f["capacity"].attrs
     if a["fallen_before"] > 0.0 or not a["multiplier"] > LEAST_FACTOR:  # how a heap comes to lie is chance
@@ -234,14 +252,14 @@ def assess(voussoir, case, path, more):
 
 
 def capacity(voussoir, case, path, more):
-    """A pushover or a tilt of the same case, whose keys lie over it."""
+    """A pushover, a tilt or states of rest of the same case, whose keys lie over it."""
     folder = path.parent / "capacity"
     words = [w for k, v in case.capacity.items() for w in ("--set", f"analysis.{k}={json.dumps(v)}")]
     done = call(voussoir, ["run", path, "-o", folder, "--overwrite", "--quiet", "-j", more.get("threads", 1), *words])
     if done.returncode:
         raise Refused([line for line in done.stderr.strip().splitlines() if "warning" not in line][-1])
     with h5py.File(folder / "run.h5") as f:
-        return of_capacity(f)
+        return at_rest(f) if case.capacity["kind"] == "rest" else of_capacity(f)
 
 
 COMMANDS = {"check": check, "limit": limit, "modes": modes, "run": run, "assess": assess, "capacity": capacity}

@@ -74,7 +74,7 @@ def turn_all(case, R):
         load.moment = None if load.moment is None else axial @ load.moment
     out.samples = None if out.samples is None else out.samples @ R.T
     out.cuts = [(name, p, R @ n) for name, p, n in out.cuts]
-    if out.capacity:
+    if out.capacity and "direction" in out.capacity:
         out.capacity["direction"] = [float(x) for x in (R @ numpy.array([*out.capacity["direction"], 0.0]))[:2]]
     if out.plan:
         plans.turned(out, R)
