@@ -186,7 +186,7 @@ def move_a_support(rng, case):
 def move_slowly(rng, case):
     """Small models whose support moves are also led from one state of rest to the next while it does."""
     if any(b.motion is not None for b in case.blocks) and len(case.blocks) <= 24:
-        case.capacity = {"kind": "rest"}
+        case.capacity = {"kind": rng.choice(["rest", "settlement"])}
 
 
 def on_raster(case):

@@ -216,10 +216,27 @@ LEAST_FACTOR = 1e-3
 CAPACITY = {"multiplier": ONE, "peak_shear": FORCE, "first_stiffness": STIFFNESS}  # a peak may be level, so it has no place
 
 
+DEMAND = "ec8:1:B:0.2g"
+PERFORMANCE = {"force": FORCE, "yield": LENGTH, "target": LENGTH}  # by each method, where they have one
+
+
+def under_demand(voussoir, folder):
+    """What a spectrum asks of a pushover, by each method."""
+    said = json_of(call(voussoir, ["assess", folder, "--demand", DEMAND, "--format", "json"]))["capacity"].get("performance")
+    if not said:
+        return {}
+    out = {"demand: participation": Value(numpy.array(said["participation"]), SCALAR, ONE), "demand: mass": Value(numpy.array(said["mass"]), SCALAR, MASS)}
+    for method in said["points"]:
+        out |= {f"demand: {method['name']}, {k}": Value(numpy.array(method[k]), SCALAR, d) for k, d in PERFORMANCE.items() if method[k] is not None}
+        out[f"demand: {method['name']}, not proven"] = Value(numpy.array(len(method["not_proven"])), COUNT)
+    return out
+
+
 def at_rest(f):
-    """The last state of rest, if all movements of supports are done: where points are, and what the base bears."""
-    ended = f["capacity"].attrs["ended"]
-    if (ended if isinstance(ended, str) else ended.decode()) != "all is on":
+    """The last state of rest, if all movements of supports are done and nothing fell: where points are, and what the base bears."""
+    a = f["capacity"].attrs
+    ended = a["ended"] if isinstance(a["ended"], str) else a["ended"].decode()
+    if ended not in ("all is on", "history") or numpy.isfinite(a["collapse_movement"]):
         return {}
     force = f["forces/base_shear"][-1]
     out = {"rest: base": Value(force, VECTOR, FORCE, floor=weight_of(f))}
@@ -259,7 +276,8 @@ def capacity(voussoir, case, path, more):
     if done.returncode:
         raise Refused([line for line in done.stderr.strip().splitlines() if "warning" not in line][-1])
     with h5py.File(folder / "run.h5") as f:
-        return at_rest(f) if case.capacity["kind"] == "rest" else of_capacity(f)
+        out = at_rest(f) if case.capacity["kind"] in ("rest", "settlement") else of_capacity(f)
+    return out | (under_demand(voussoir, folder) if case.capacity["kind"] == "pushover" and len(out) > 1 else {})
 
 
 COMMANDS = {"check": check, "limit": limit, "modes": modes, "run": run, "assess": assess, "capacity": capacity}
