@@ -21,10 +21,12 @@ import sys
 from concurrent import futures
 
 import own_files
-import toml_reading
 from own_files import StudyError
 from strength import UNITS
 from versions import differs, results_of
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "python/voussoir"))  # its module alone: the package needs more
+import toml_reading  # noqa: E402
 
 DIRECTIONS = ("LTV", "LVT", "TLV", "TVL", "VLT", "VTL")
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+]*")

@@ -74,7 +74,7 @@ class Functions(InAFolder):
         table = voussoir.study(study, self.folder / "out", cores=1)
         self.assertTrue(table.finished)
         self.assertEqual([row["status"] for row in table], ["done", "done"])
-        with self.assertRaises(voussoir.InputError):
+        with self.assertRaises(voussoir.InputError):  # with and without Snakemake, which takes any
             voussoir.study(study, self.folder / "out", cores=-1)
 
     def test_figures_of_a_motion(self):

@@ -25,6 +25,13 @@ class StudyFiles(InAFolder):
         with self.assertRaisesRegex(plan.StudyError, words):
             self.runs(text)
 
+    def test_each_module_finds_what_it_needs_by_itself(self):
+        """Snakemake, the soak and the ensemble import some of them from elsewhere, with this folder alone on their path."""
+        code = "import importlib, sys; sys.path.insert(0, sys.argv[1]); importlib.import_module(sys.argv[2])"
+        for name in ("plan", "versions", "own_files", "gather", "job", "strength"):
+            done = subprocess.run([sys.executable, "-c", code, str(ROOT / "scripts/study"), name], cwd=self.folder, capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 0, (name, done.stderr))
+
     def test_integers_that_are_no_floats(self):
         for key in ("scales = [N]", "duration = N", "records = [{ name = 'a', L = 'b', dt = N }]", "[intensity]\nmeasure = 'PGA'\nlevels = [N]"):
             self.refuses("cases = ['flat20n']\n" + key.replace("N", "1" + 400 * "0"), "study.toml: .* allowed: ")
