@@ -69,9 +69,8 @@ constexpr int kWarmUp = 10, kMostTrialSteps = 2000;
 constexpr double kCollapse = 10.0;
 // Of an analysis from one state of rest to the next, as measured on ready houses: the time of so many steps of the intact model in all;
 // times that where much breaks (cases/catalogue/capacity.md).
-constexpr double kRestSteps = 360'000.0, kMuchBreaks = 5.0;
-// Where supports move until their way is done: a tenth of it, as two settlements of a house of 3,078 elements took (15 and 33 s).
-constexpr double kSupportSteps = 36'000.0;
+// Where supports move it is a tenth, as two settlements of a house of 3,078 elements took.
+constexpr double kRestSteps = 360'000.0, kMuchBreaks = 5.0, kSupportSteps = 0.1 * kRestSteps;
 constexpr double kRamp = 1.0, kWaitForRest = 0.5;  // s, simulated: the default ramp, a typical waiting time
 constexpr double kMegabyte = 1e6;
 
