@@ -260,7 +260,7 @@ std::size_t faults_with(const House& house, HousePlan plan) {
   add_holes(house, plan);
   plan_floors(house, plan);
   plan_courses(house, plan);
-  std::set<const Hole*> holes;  // a change that only moves the piece to the other side of a hole is none
+  std::set<const Hole*> holes;  // moving the short piece to the other side of an opening mends nothing
   for (const ShortPiece& piece : find_short_pieces(plan)) holes.insert(piece.hole);
   return plan.faults.count() + holes.size();
 }

@@ -59,8 +59,9 @@ std::string peaks_within(const cases::GroundMotion& applied, double end) {
     if (within < kMostOfPeak * whole) join(weaker, std::string(1, "xyz"[i]));
   }
   if (weaker.empty()) return "";
-  return geometry::printed("of it in the run         peaks %s m/s2 up to %.3f s: along %s the run ends before the strongest part\n",
-                           peaks.c_str(), end, weaker.c_str());
+  return geometry::printed(
+      "ground until the end     peaks %s m/s2 up to %.3f s; along %s the record's peak comes later, when the run has ended\n",
+      peaks.c_str(), end, weaker.c_str());
 }
 
 }  // namespace

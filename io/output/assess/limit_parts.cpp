@@ -56,13 +56,13 @@ std::string moving_parts(const solver::LimitState& s, const cases::Model& model,
   std::size_t wide = 24;
   for (const Part& p : parts) wide = std::max(wide, p.name.size());
   const int indent = static_cast<int>(wide);
-  std::string out =
-      geometry::printed("%-*s   its mass that moves   mean motion (x, y, z) of that; the fastest point has 1\n", indent, "what moves");
+  std::string out = geometry::printed("%-*s   share of its mass   mean velocity (x, y, z) of that share; the fastest point has speed 1\n",
+                                      indent, "moving part");
   for (std::size_t k = 0; k < std::min(kMostParts, parts.size()); ++k) {
     const Part& p = parts[k];
     const Vec3 v = p.momentum / p.moving;
     const auto flat = [](double x) { return std::abs(x) < 5e-3 ? 0.0 : x; };
-    out += geometry::printed("%-*s   %17.0f %%   (%5.2f, %5.2f, %5.2f)\n", indent, p.name.c_str(), 100.0 * p.moving / p.mass, flat(v.x),
+    out += geometry::printed("%-*s   %15.0f %%   (%5.2f, %5.2f, %5.2f)\n", indent, p.name.c_str(), 100.0 * p.moving / p.mass, flat(v.x),
                              flat(v.y), flat(v.z));
   }
   if (parts.size() > kMostParts) out += geometry::printed("%-*s   and %zu more\n", indent, "", parts.size() - kMostParts);

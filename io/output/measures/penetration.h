@@ -24,8 +24,8 @@ struct Interpenetration {
   std::int64_t deep_pairs = 0;  // pairs deeper than half of the larger segment of both; -1: segment sizes are unknown
 };
 
-/// Tests every pair of bodies of which one at least is free, bonded or not, by the exact method of geometry/separation.h. Two supports are
-/// no pair, nor a support and the base: nothing keeps them apart. For use by one thread; frames in order.
+/// Tests every pair of bodies of which one at least is free, bonded or not, by the exact method of geometry/separation.h. Two supports
+/// do not count, nor a support and the base: contact does not act between them. For use by one thread; frames in order.
 class InterpenetrationCheck {
  public:
   /// \param run  its /model \throw FileError

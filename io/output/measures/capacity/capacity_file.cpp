@@ -77,7 +77,7 @@ std::string moving(const std::vector<std::string>& parts) {
   for (const std::string& part : parts)
     if (part.find("stays in place") == std::string::npos) words.push_back(part);
   const std::size_t still = parts.size() - words.size();
-  if (words.empty()) return still == 0 ? "none" : "none: no part of 1 % of the mass has moved as one by 5 mm in the mean";
+  if (words.empty()) return still == 0 ? "none" : "none: no part with 1 % of the building's mass or more has moved by 5 mm on average";
   if (still > 0) words.push_back(std::to_string(still) + (still == 1 ? " part stays in place" : " parts stay in place"));
   return list(words);
 }
@@ -181,8 +181,8 @@ std::vector<std::string> not_proven(const Capacity& c) {
   }
   if (c.kind != AnalysisKind::cyclic && c.ultimate_displacement < c.peak_displacement)
     doubts.emplace_back(
-        "the control point moves back after the peak, so ultimate, near collapse and ductility are not those of the part that "
-        "fails: set analysis.control to a part that the mechanism names");
+        "the control point moves back after the peak: ultimate displacement, near collapse and ductility do not describe the part "
+        "that fails; set analysis.control to a part named in the mechanism");
   return doubts;
 }
 
@@ -259,7 +259,7 @@ std::string capacity_text(const Capacity& c) {
   std::string text = failed ? line("analysis", "%s, ended by: %s; figures up to there", name_of(c.kind), c.ended.c_str())
                      : on   ? line("analysis", "%s, not at its end: figures so far", name_of(c.kind))
                             : line("analysis", "%s, ended by: %s", name_of(c.kind), end_words(c).c_str());
-  if (c.by_rest()) text += line("times", "of the search for states of rest: they order what happens, and are no seconds of a movement");
+  if (c.by_rest()) text += line("times", "are iterations of the search for equilibrium: they give the order of events, not seconds");
   for (const std::string& doubt : not_proven(c)) text += line("not proven", "%s", doubt.c_str());
   if (c.control) {
     const Vec3 p = c.control->position;

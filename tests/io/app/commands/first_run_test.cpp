@@ -247,9 +247,9 @@ TEST_CASE("check tells of what nothing has, of motions that no record has, and o
   CHECK(says(each, {"  scaling along x        PGA 7.811 -> 2 m/s2 (0.204 g), factor 0.2561\n"}));
   CHECK(says(each, {"  scaling along y        PGA 0.0623 -> 2 m/s2 (0.204 g), factor 32.1\n"}));
   CHECK(says(voussoir("check " + path + " -j 1 --record bam-like --direction TLV --scale 0.5 --duration 2"),
-             {"motion along x", "bam-like T", "of it in the run         peaks ",
-              " up to 2.000 s: along x, y, z the run ends before the strongest part\n"}));
-  CHECK(is_silent_of(voussoir("check " + path + " -j 1 --record bam-like --duration 21"), "of it in the run"));
+             {"motion along x", "bam-like T", "ground until the end     peaks ",
+              " up to 2.000 s; along x, y, z the record's peak comes later, when the run has ended\n"}));
+  CHECK(is_silent_of(voussoir("check " + path + " -j 1 --record bam-like --duration 21"), "ground until the end"));
   CHECK(says(
       voussoir("check " + path + " -j 1 --set motion.record=bam-like --set motion.intensity.measure=Sa --set motion.intensity.level=2 " +
                "--set motion.intensity.period=0.049"),

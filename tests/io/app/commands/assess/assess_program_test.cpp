@@ -204,7 +204,7 @@ TEST_CASE("states of rest have no speeds and no accelerations, and their times a
   REQUIRE_MESSAGE(run.code == 0, run.text);
   const shell::Outcome summary = w.output("summary rest"), assess = w.output("assess rest");
   for (const shell::Outcome* o : {&run, &summary, &assess}) {
-    CHECK_MESSAGE(o->text.find("times                of the search for states of rest") != std::string::npos, o->text);
+    CHECK_MESSAGE(o->text.find("times                are iterations of the search for equilibrium") != std::string::npos, o->text);
     CHECK_MESSAGE(o->text.find("peak speed") == std::string::npos, o->text);
     CHECK_MESSAGE(o->text.find("acceleration") == std::string::npos, o->text);
   }
@@ -220,7 +220,7 @@ TEST_CASE("limit: what moves is told by walls, which fall the way that they are 
   for (const auto& [direction, wall, sign] : {std::tuple{"x", "right wall", 1.0}, {"-x", "left wall", -1.0}}) {
     const shell::Outcome o = w.output("limit " + hut + " --associated --quiet --direction " + direction);
     REQUIRE_MESSAGE(o.code == 0, o.text);
-    const std::size_t table = o.text.find("\nwhat moves"), first = o.text.find('\n', table + 1) + 1;
+    const std::size_t table = o.text.find("\nmoving part"), first = o.text.find('\n', table + 1) + 1;
     REQUIRE_MESSAGE(table != std::string::npos, o.text);
     const std::string line = o.text.substr(first, o.text.find('\n', first) - first);
     CHECK_MESSAGE(line.starts_with(wall), line);
@@ -229,7 +229,7 @@ TEST_CASE("limit: what moves is told by walls, which fall the way that they are 
     CHECK_MESSAGE(sign * v[0] > 0.2, line);
     CHECK_MESSAGE(std::abs(v[1]) < 0.5 * std::abs(v[0]), line);
   }
-  CHECK(w.output("limit block.toml --quiet").text.find("what moves") == std::string::npos);  // of one block there is nothing to tell
+  CHECK(w.output("limit block.toml --quiet").text.find("moving part") == std::string::npos);  // of one block there is nothing to tell
 }
 
 TEST_CASE("modes: the eigenvalue beside the impulse is the building's, however many local modes lie below") {
