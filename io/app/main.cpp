@@ -60,7 +60,7 @@ std::string unexpected(const CLI::App& program, const std::string& said) {
   return said.substr(0, head + kHead.size()) + words + said.substr(end);
 }
 
-/// Refuses words without a letter, as of a variable of the shell that is not set. \throw CLI::ValidationError
+/// Refuses empty words on the command line, as a shell variable that is not set leaves them. \throw CLI::ValidationError
 void refuse_empty_words(const CLI::App& program) {
   for (const CLI::App* command : program.get_subcommands()) {
     for (const CLI::Option* option : command->get_options()) {

@@ -169,8 +169,8 @@ void print_walls(const Measures& m) {
   for (const WallMeasures& w : m.walls)
     std::printf("%-*s %8s %12s %11s %10s %9s %12s %12s %12s\n", indent, w.name.c_str(), percent(w.fallen_mass_fraction).c_str(),
                 seconds(w.first_fallen_time).c_str(), drift(w.peak_drift).c_str(), drift(w.residual_drift).c_str(),
-                drift(std::abs(w.peak_in_plane_drift)).c_str(), text("%.2f", w.crack_extent).c_str(), text("%.2f", w.large_crack_extent).c_str(),
-                text("%.2f", w.settling_crack_extent).c_str());
+                drift(std::abs(w.peak_in_plane_drift)).c_str(), text("%.2f", w.crack_extent).c_str(),
+                text("%.2f", w.large_crack_extent).c_str(), text("%.2f", w.settling_crack_extent).c_str());
   if (!std::isnan(m.roof_fallen_mass_fraction))
     std::printf("%-*s %8s %12s\n", indent, "roof", percent(m.roof_fallen_mass_fraction).c_str(), seconds(m.roof_first_fallen_time).c_str());
 }
@@ -194,6 +194,11 @@ void print_end(const Json& s) {
   }
   line("run", "not finished: " + place);
   line("", s["rows"].get<std::string>());
+}
+
+void print_accelerations(const Measures& m) {
+  for (const PointAcceleration& p : m.accelerations.points)
+    line_of_chance(m, "peak acceleration", text("%.2f m/s2", p.peak_horizontal) + " at " + p.name + ", horizontal, below 50 Hz");
 }
 
 /// \param moves  false: an analysis by states of rest, whose speeds are those of the search
@@ -220,8 +225,7 @@ void print_table(const Json& s, const Measures& m, bool moves) {
     line_of_chance(m, "peak base shear", text("%.1f kN", 1e-3 * s["peak_base_shear"].get<double>()) + share);
   }
   if (moves && s.contains("peak_speed")) line_of_chance(m, "peak speed", text("%.2f m/s", s["peak_speed"]));
-  for (const PointAcceleration& p : moves ? m.accelerations.points : std::vector<PointAcceleration>())
-    line_of_chance(m, "peak acceleration", text("%.2f m/s2", p.peak_horizontal) + " at " + p.name + ", horizontal, below 50 Hz");
+  if (moves) print_accelerations(m);
   if (s.contains("state_hash")) line("state hash", s["state_hash"]);
   print_walls(m);
   std::fputs((storeys_text(m) + ties_text(m) + loads_text(m.loads)).c_str(), stdout);

@@ -10,10 +10,10 @@ namespace voussoir::io {
 namespace {
 
 struct OtherName {
-  std::string_view name, key;  // the name in small letters, without lines between its words
+  std::string_view name, key;  // the name in lower case, without underscores
 };
 
-/// Where several keys have the same other name, the first that the table has counts.
+/// Where a name stands for several keys, the first one that the table of the case knows is suggested.
 constexpr std::array kNames{
     OtherName{"e", "young"},
     OtherName{"modulus", "young"},

@@ -21,7 +21,7 @@ struct Written {
 
 constexpr double kG = 9.80665, kFoot = 0.3048, kInch = 0.0254, kDegrees = 180.0 / std::numbers::pi;
 
-/// Names in small letters, without signs that people set between units; the first of a kind is the program's.
+/// Names in lower case, without spaces and '^'. Of names for one unit the first is the one that the program uses.
 constexpr std::array kUnits{Written{"m", "m", 1.0},
                             Written{"metre", "m", 1.0},
                             Written{"meter", "m", 1.0},

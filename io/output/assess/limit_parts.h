@@ -8,8 +8,8 @@
 
 namespace voussoir::io {
 
-/// What moves in a mechanism, by parts of the building as people name them: a line a part, with the share of its mass that moves and the
-/// mean motion of that. Empty for a model whose blocks have names of their own, where the parts of the mechanism tell as much.
+/// The mechanism by walls, floors and roofs: a line for each part of the building of which something moves, with the share of its mass that
+/// moves and the mean velocity of that share. Empty for a model in which most blocks are parts of their own, as an arch of single stones.
 std::string moving_parts(const solver::LimitState& s, const cases::Model& model, const solver::LimitContacts& c);
 
 }  // namespace voussoir::io

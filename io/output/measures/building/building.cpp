@@ -142,7 +142,8 @@ ElementVertices::Faces faces_of(const Hdf5File& run, std::size_t elements) {
   return faces;
 }
 
-/// Axes of the straight walls that run along no axis of the model, by their names. Bricks of those that bend are of no wall then.
+/// The axes of straight walls that run neither along x nor along y, by name. Bricks of curved walls belong to no wall: their tags are
+/// emptied.
 std::map<std::string, WallAxes> turned_walls(const Hdf5File& run, const ElementVertices& vertices, std::vector<WallTag>& tags) {
   std::map<std::string, std::vector<std::size_t>> walling;
   for (std::size_t e = 0; e < tags.size(); ++e)

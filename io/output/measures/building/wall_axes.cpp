@@ -77,8 +77,7 @@ std::optional<WallAxes> ElementVertices::axes_along(std::span<const std::size_t>
   for (std::size_t f = 0; f < faces.element.size(); ++f) {
     const Vec3 n{faces.normal[3 * f], faces.normal[3 * f + 1], faces.normal[3 * f + 2]};
     if (is_of.at(static_cast<std::size_t>(faces.element[f])) == 0 || std::abs(n.z) > kUpright) continue;
-    const double angle = std::fmod(std::atan2(n.y, n.x) + 2.0 * std::numbers::pi, kQuarter);
-    angles.push_back(angle);
+    angles.push_back(std::fmod(std::atan2(n.y, n.x) + 2.0 * std::numbers::pi, kQuarter));
   }
   const Common common = most_common(angles);
   if (common.count == 0 || static_cast<double>(common.count) < kStraight * static_cast<double>(angles.size())) return {};

@@ -44,12 +44,13 @@ class ElementVertices {
   ElementVertices(const Hdf5File& run, std::size_t elements);
 
   [[nodiscard]] Box box(std::size_t element, const WallAxes& axes = {}) const;
-  /// The axes of a straight wall in any direction; nothing if it is none, as one that bends: the upright faces of its elements mostly lie
-  /// along it or across it. \param of_faces  normals and elements of all faces, as in /model/face
+  /// All faces of the run, as in /model/face.
   struct Faces {
     std::vector<double> normal;
     std::vector<std::int32_t> element;
   };
+  /// The axes of a straight wall in any direction; nothing for a wall that bends. A wall is straight if half of the upright faces of its
+  /// elements or more lie along one direction or across it. \param wall  its elements
   [[nodiscard]] std::optional<WallAxes> axes_along(std::span<const std::size_t> wall, const Faces& faces) const;
 
  private:
