@@ -24,6 +24,7 @@
 #include "io/output/measures/place_in_run.h"
 #include "io/output/replay/run_file.h"
 #include "io/output/replay/run_state.h"
+#include "io/output/report/pictures/plain/plain_scene.h"
 #include "io/output/report/report_data.h"
 #include "io/output/results/case_of_run.h"
 #include "io/output/results/comparison.h"
@@ -141,6 +142,8 @@ void assess_demand(const io::Hdf5File& run, std::size_t which) {
 void report(const std::string& run, std::size_t modes) {
   const solver::Mode mode{1.0, {0.5, 0.5, 0.0}, std::vector<Vec3>(modes, {1.0, 0.0, 0.0}), std::vector<Vec3>(modes)};
   io::report_html({run}, {mode});
+  const io::Hdf5File file = io::open_run(run);
+  io::PlainScene(file).picture("corner", 0.1, 16, 10);
 }
 
 void report_with_limit(const std::string& run, std::span<const std::uint8_t> edits) {

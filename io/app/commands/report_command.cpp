@@ -75,6 +75,7 @@ int report_command(const ReportOptions& o) {
   if (runs.size() > 1 && o.paraview) throw cases::InputError("--paraview", "is of one run, not of two");
   if (film && !times.empty()) throw cases::InputError("--film", "does not go with --stills");
   if (!o.views.empty() && !film && times.empty()) throw cases::InputError("--view", "is of pictures: it needs --stills or --film");
+  if (o.plain && times.empty()) throw cases::InputError("--plain", "is of pictures: it needs --stills");
   if (film && o.views.size() > 1) throw cases::InputError("--view", "a film has one");
   if (o.modes > 0 && (runs.size() > 1 || film || !times.empty() || o.paraview))
     throw cases::InputError("--modes", "is of the page of one run");
@@ -84,7 +85,7 @@ int report_command(const ReportOptions& o) {
     s.times = times;
     if (!o.views.empty()) s.views = o.views;
     s.folder = o.output.empty() ? folder + "/stills" : o.output;
-    s.overwrite = o.overwrite;
+    s.overwrite = o.overwrite, s.plain = o.plain;
     write_stills(runs, s);
   }
   if (film) {
@@ -106,7 +107,9 @@ Command add_report(CLI::App& program) {
   words->add_option("-o,--output", o->output,
                     "file of the page, or folder of the pictures (default: DIR/report.html, of two runs DIR/comparison.html; DIR/stills)");
   words->add_flag("--paraview", o->paraview, "write DIR/run.xdmf and DIR/paraview.h5 for ParaView instead of the page");
-  words->add_option("--stills", o->times, "pictures at these times, s, instead of the page: T,T,... or T T ...; needs Chromium");
+  words->add_option("--stills", o->times,
+                    "pictures at these times, s, instead of the page: T,T,... or T T ...; by Chromium, or plain without it");
+  words->add_flag("--plain", o->plain, "pictures without Chromium, which have no title, scale and legend");
   words->add_option("--film", o->film.file, "a film instead of the page: FILE.mp4, .webm or .gif; needs Chromium and ffmpeg");
   words->add_option("--speed", o->film.speed, "of the film: 0.25 is four times slower than it was (default: 1)")
       ->check(number_range(0.001, 100.0));

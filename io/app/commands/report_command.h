@@ -16,6 +16,7 @@ struct ReportOptions {
   bool paraview = false;             // files for ParaView instead of the page
   std::vector<std::string> times;    // s, of pictures instead of the page: words with numbers separated by commas
   std::vector<std::string> views;    // of the pictures or the film; empty: corner
+  bool plain = false;                // pictures without a browser
   FilmOptions film;                  // with a file: writes a film instead of the page
   int modes = 0;                     // number of mode shapes shown by the page
   bool overwrite = false;

@@ -132,13 +132,14 @@ int view_command(const LoadedCase& c, const ViewOptions& o, int threads) {
   const std::vector<std::string> slips = s.fault.empty() ? slips_of_model(used, s.model) : doubts_of_stones(used);
   warn_of(slips);
   findings.insert(findings.end(), slips.begin(), slips.end());
-  const std::string text = model_html(scratch.path() + "/run.h5", in_page(s.fault, findings), s.at_fault);
+  const std::string run = scratch.path() + "/run.h5", said = in_page(s.fault, findings);
   if (o.still.empty()) {
+    const std::string text = model_html(run, said, s.at_fault);
     write_output(output, text);
     std::printf("%s  %.1f MB%s\n", page.c_str(), 1e-6 * static_cast<double>(text.size()),
                 findings.empty() ? "" : ("; warnings: " + std::to_string(findings.size())).c_str());
   } else {
-    write_still(text, o.view, output);
+    write_still({run, said, s.at_fault, o.view, o.plain}, output);
   }
   if (s.fault.empty()) return kDone;
   say_errors(kInputFault, says_json() ? s.faults : std::vector{Message{.text = s.fault}});
@@ -151,11 +152,13 @@ Command add_view(CLI::App& program) {
   auto w = std::make_shared<ViewWords>();
   add_case(*words, w->c);
   words->add_option("-o,--output", w->o.output, "file of the page (default: CASE.html)");
-  CLI::Option* still = words->add_option("--still", w->o.still, "a picture, FILE.png, instead of the page; needs Chromium")
-                           ->excludes(words->get_option("--output"));
+  CLI::Option* still =
+      words->add_option("--still", w->o.still, "a picture, FILE.png, instead of the page; by Chromium, or plain without it")
+          ->excludes(words->get_option("--output"));
   words->add_option("--view", w->o.view, "of the picture: " + view_names() + " (default: corner)")
       ->check(CLI::IsMember(kViews))
       ->needs(still);
+  words->add_flag("--plain", w->o.plain, "a picture without Chromium, which has no title, scale and legend")->needs(still);
   words->add_flag("--overwrite", w->o.overwrite, "replace an existing page or picture");
   words->footer("example: voussoir view my-vault.toml\n         voussoir view my-vault.toml --still my-vault.png --view front");
   return {.words = words,

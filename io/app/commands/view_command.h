@@ -13,6 +13,7 @@ struct ViewOptions {
   bool overwrite = false;
   std::string still = {};       // file of a picture, FILE.png, instead of the page; empty: none
   std::string view = "corner";  // of the picture
+  bool plain = false;           // without a browser
 };
 
 /// `voussoir view`: one HTML page of the model before any run, or a picture of it: stones by material, joints by law, supports, a section.

@@ -191,9 +191,10 @@ Browser::Browser(const std::string& scratch) : process_(std::make_unique<Process
   }
   ::close(ends[1]);
   if (fault != 0) {
-    throw FileError(programs().front(), "cannot start (" + system_words(fault) +
-                                            "): pictures are drawn by Chromium; install it (Debian: chromium), or name its program in the "
-                                            "environment variable CHROMIUM");
+    throw NoBrowser(programs().front(),
+                    "cannot start (" + system_words(fault) +
+                        "): films and pictures with their words are drawn by Chromium; install it (Debian: chromium), or "
+                        "name its program in the environment variable CHROMIUM");
   }
   const Json target = p.call("Target.createTarget", {{"url", "about:blank"}});
   p.session = p.call("Target.attachToTarget", {{"targetId", target.at("targetId")}, {"flatten", true}}).at("sessionId").get<std::string>();

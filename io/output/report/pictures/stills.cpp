@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <span>
+#include <memory>
+#include <string_view>
 
 #include "cases/input_error.h"
 #include "cases/names.h"
@@ -15,8 +16,10 @@
 #include "io/input/files/packed_text.h"
 #include "io/input/files/scratch_folder.h"
 #include "io/input/files/whole_file.h"
+#include "io/input/messages/messages.h"
 #include "io/output/replay/run_file.h"
 #include "io/output/report/pictures/browser.h"
+#include "io/output/report/pictures/plain/plain_scene.h"
 #include "io/output/report/report_data.h"
 
 namespace voussoir::io {
@@ -54,14 +57,20 @@ std::vector<ShownStill> planned(const StillsOptions& o) {
   return all;
 }
 
+void write_picture(const ShownStill& s, std::string_view png) {
+  write_output(s.output, png);
+  std::printf("%s\n", s.output.path.c_str());
+}
+
 void take(Browser& browser, const ShownStill& s) {
   const std::string size = std::to_string(kWidth) + ", " + std::to_string(kHeight);
   const std::string png =
       browser.evaluate("opened.then((report) => report.still(" + cases::text(s.time) + ", \"" + s.view + "\", " + size + "))");
   const std::vector<std::byte> bytes = from_base64(png);
-  write_output(s.output, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-  std::printf("%s\n", s.output.path.c_str());
+  write_picture(s, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
+
+void draw(const PlainScene& scene, const ShownStill& s) { write_picture(s, png_of(scene.picture(s.view, s.time, kWidth, kHeight))); }
 
 /// A page in a separate browser, which draws frames only on request.
 class Studio {
@@ -79,21 +88,44 @@ class Studio {
   Browser browser;
 };
 
+/// The page in a browser. \return nothing where there is no browser, which is said
+std::unique_ptr<Studio> studio_for(const std::string& html) {
+  try {
+    return std::make_unique<Studio>(html);
+  } catch (const NoBrowser&) {
+    say_note("no Chromium was found: pictures are plain, without title, scale and legend");
+    return nullptr;
+  }
+}
+
 }  // namespace
 
 void write_stills(const std::vector<std::string>& runs, const StillsOptions& o) {
+  const bool pair = runs.size() > 1;
+  if (o.plain && pair) throw cases::InputError("--plain", "is of pictures of one run, not of two");
   check_times(runs.front(), o.times);
   const std::vector<ShownStill> stills = planned(o);
-  Studio studio(report_html(runs));
+  const std::unique_ptr<Studio> studio = o.plain ? nullptr
+                                         : pair  ? std::make_unique<Studio>(report_html(runs))
+                                                 : studio_for(report_html(runs));
   std::error_code fault;
   fs::create_directories(o.folder, fault);
   if (fault) throw FileError(o.folder, "cannot make the folder: " + fault.message());
-  for (const ShownStill& s : stills) take(studio.browser, s);
+  if (studio) {
+    for (const ShownStill& s : stills) take(studio->browser, s);
+    return;
+  }
+  const Hdf5File run = open_run(runs.front());
+  const PlainScene scene(run);
+  for (const ShownStill& s : stills) draw(scene, s);
 }
 
-void write_still(const std::string& html, const std::string& view, const Output& picture) {
-  Studio studio(html);
-  take(studio.browser, {view, picture, 0.0});
+void write_still(const ModelPicture& picture, const Output& output) {
+  const ShownStill still{picture.view, output, 0.0};
+  if (const std::unique_ptr<Studio> studio = picture.plain ? nullptr : studio_for(model_html(picture.run, picture.text, picture.faults)))
+    return take(studio->browser, still);
+  const Hdf5File run = open_run(picture.run);
+  draw(PlainScene(run, picture.faults), still);
 }
 
 std::string view_names() {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -19,15 +20,24 @@ struct StillsOptions {
   std::vector<std::string> views{"corner"};  // names of kViews
   std::string folder;                        // for the pictures
   bool overwrite = false;
+  bool plain = false;  // drawn by the program itself (plain/plain_scene.h), though there may be a Chromium
 };
 
 /// Writes pictures of a run, or of two side by side, as its report page shows it, with title, time, scale and legend:
-/// FOLDER/VIEW-TIMEs.png, as "front-2.8s.png", for every view and time. \param runs  one or two run.h5
-/// \throw cases::InputError for a time outside the first run; FileError if a picture exists and may not be replaced (both before anything
-/// is drawn), or if Chromium is missing
+/// FOLDER/VIEW-TIMEs.png, as "front-2.8s.png", for every view and time. Where Chromium is missing those of one run are plain.
+/// \param runs  one or two run.h5 \throw cases::InputError for a time outside the first run, or plain ones of two; FileError if a picture
+/// exists and may not be replaced (all before anything is drawn), or NoBrowser for two runs
 void write_stills(const std::vector<std::string>& runs, const StillsOptions& o);
 
-/// Writes a picture of a page with a single frame, as of the model of a case. \param html  the page \throw FileError if Chromium is missing
-void write_still(const std::string& html, const std::string& view, const Output& picture);
+/// What is seen of a model before any run.
+struct ModelPicture {
+  std::string run;                   // a run.h5 without frames
+  std::string text;                  // as the page has it: why the model is refused, and findings
+  std::vector<std::int32_t> faults;  // elements at fault
+  std::string view = "corner";       // one of kViews
+  bool plain = false;                // as in StillsOptions
+};
+/// Writes a picture of a model, plain where Chromium is missing. \throw FileError
+void write_still(const ModelPicture& picture, const Output& output);
 
 }  // namespace voussoir::io
