@@ -11,9 +11,12 @@ READERS = ("io/input/motion/formats/", "io/input/motion/support_motion.cpp", "io
            "io/output/results/case_of_run.cpp", "io/output/results/comparison.cpp", "io/output/replay/", "io/output/measures/", "io/output/assess/", "io/output/report/")
 # Not readers: they write, make, or are of other programs.
 NOT = ("output_path.cpp", "file_kind.cpp", "scratch_folder.cpp", "run_folder.cpp", "whole_file.cpp", "pictures/", "catalogue.cpp", "limit_words.cpp", "embed", "report_modes.cpp",
-       "report_model.cpp", "vtu_file.cpp", "settling_warning.cpp", "shown_faults.cpp")
-# Functions that only write, in sources that read, too: no reader calls them. Not counted.
+       "report_model.cpp", "case_keys.cpp", "resolved_case.cpp", "vtu_file.cpp", "settling_warning.cpp", "shown_faults.cpp")
+# Functions that only write, in sources that read, too, or read what the program itself has just made (the page of `view`, pictures of the browser): no
+# reader of files calls them. Not counted.
 WRITERS = {
+    "io/output/report/report_data.cpp": "model_html",
+    "io/input/files/packed_text.cpp": "from_base64",
     "io/input/files/hdf5_file.cpp": "checked_layout layout_properties Hdf5File::create Hdf5File::flush Hdf5File::make_group Hdf5File::create_dataset Hdf5File::write_dataset "
                                     "Hdf5File::write_rows Hdf5File::create_virtual",
     "io/input/files/hdf5/handle.cpp": "link_properties write_note",
