@@ -22,7 +22,8 @@ bool rises_to(const WallsPlan& plan, const Station& s, Interval height) {
   const Leg& other = plan.legs[s.host ? m.guest : m.host];
   if (other.hills.empty()) return other.height.overlaps(height);
   const auto there = std::ranges::find(other.stations, s.meeting, &Station::meeting);
-  const double from = std::min(there->low(other.half), there->low(-other.half)), to = std::max(there->high(other.half), there->high(-other.half));
+  const double from = std::min(there->low(other.half), there->low(-other.half)),
+               to = std::max(there->high(other.half), there->high(-other.half));
   return Interval{other.height.low, ticks(other.highest(from, to))}.overlaps(height);
 }
 
@@ -100,8 +101,7 @@ void check_bricks(const WallSpec& wall, const Leg& leg, const std::vector<PlanBr
     if (b.shape && b.share >= kLeastShare) continue;
     if (b.shape) {
       faults.add({leg.hills.front().key, "leaves a brick of the " + leg.tag + " at " + metres_text(b.height.low) +
-                                             " m above the base of which the top cuts all but " +
-                                             text(std::round(1e3 * b.share) * 0.1) +
+                                             " m above the base of which the top cuts all but " + text(std::round(1e3 * b.share) * 0.1) +
                                              " %; at least a fifth: walls that meet it there are in the way; move or lower them"});
       continue;
     }
@@ -121,8 +121,9 @@ std::vector<Span> parted(const std::vector<Span>& spans, const std::vector<Fille
   std::vector<Span> all;
   for (Span rest : spans) {
     for (const FilledPlace& b : beams) {
-      if (b.low.at < rest.low.cut.at || b.high.at > rest.high.cut.at) continue;
-      all.push_back({rest.low, {b.low, kNobody, kNobody, b.floor}});
+      if (b.low.at < rest.low.cut.at - kPlanTolerance || b.high.at > rest.high.cut.at + kPlanTolerance) continue;
+      if (b.low.at > rest.low.cut.at + kPlanTolerance || b.low.slope != rest.low.cut.slope)
+        all.push_back({rest.low, {b.low, kNobody, kNobody, b.floor}});
       rest.low = {b.high, kNobody, kNobody, b.floor};
     }
     all.push_back(rest);
@@ -134,7 +135,32 @@ std::vector<Span> parted(const std::vector<Span>& spans, const std::vector<Fille
 void fill_beside(const Leg& leg, Interval height, const std::vector<FilledPlace>& beams, std::vector<PlanBrick>& bricks) {
   for (const FilledPlace& b : beams) {
     for (const auto& [from, to] : b.rest)
-      bricks.push_back({{leg.at(b.low(from), from), leg.at(b.high(from), from), leg.at(b.high(to), to), leg.at(b.low(to), to)}, false, height, {}});
+      bricks.push_back(
+          {{leg.at(b.low(from), from), leg.at(b.high(from), from), leg.at(b.high(to), to), leg.at(b.low(to), to)}, false, height, {}});
+  }
+}
+
+/// Checks beams of several floors in a layer against each other: apart, opposite each other, or far enough beside that. Tells the first
+/// fault.
+void check_each_other(const std::vector<FilledPlace>& beams, double least, const Leg& leg, Faults& faults) {
+  for (std::size_t i = 0; i < beams.size(); ++i) {
+    const FilledPlace& b = beams[i];
+    const FilledPlace* next = i + 1 < beams.size() && beams[i + 1].low.at < b.high.at + kPlanTolerance ? &beams[i + 1] : nullptr;
+    const FilledPlace* last = i > 0 && beams[i - 1].high.at > b.low.at - kPlanTolerance ? &beams[i - 1] : nullptr;
+    if (next == nullptr && last == nullptr && !b.crossed) continue;
+    std::size_t later = b.floor, other = b.other;
+    for (const FilledPlace* beside : {next, last})
+      if (beside != nullptr) later = std::max(later, beside->floor), other = std::min(other, beside->other);
+    const std::string place = " m of the " + leg.tag + ", where " + indexed_key("floor", other, "") + " has them";
+    const auto at = [](double s) { return text(std::round(s * 1e4) * 1e-4); };
+    if (b.crossed)
+      return faults.add(
+          {indexed_key("floor", later, "corners"), "puts beams into those from " + at(b.low.at) + " to " + at(b.high.at) + place});
+    if (b.high.at - b.low.at < least - kPlanTolerance)
+      return faults.add({indexed_key("floor", later, "spacing"), "puts beams beside those at " + at(b.low.at) + place + ", with " +
+                                                                     at(b.high.at - b.low.at) +
+                                                                     " m between their sides; none, or at least " + text(least) +
+                                                                     " m, a fifth of a brick: change spacing or corners"});
   }
 }
 
@@ -147,6 +173,7 @@ void check_beside(const WallSpec& wall, const WallsPlan& plan, const Leg& leg, i
     const std::vector<FilledPlace> beams =
         beams_in_layer(leg, height, metres(wythe.depth.low) - leg.half, metres(wythe.depth.high) - leg.half);
     check_spans(wall, plan, leg, parted(spans, beams), faults);
+    check_each_other(beams, least, leg, faults);
     for (const FilledPlace& b : beams) {
       for (const auto& [from, to] : b.rest) {
         if (to - from < least - kPlanTolerance)

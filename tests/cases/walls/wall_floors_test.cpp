@@ -123,6 +123,40 @@ TEST_CASE("beams upon walls, and two floors that end opposite each other in one 
   CHECK(seats(both)["across wall"] == doctest::Approx(static_cast<double>(beams_of(both)) * 0.1 * 0.12).epsilon(1e-9));
 }
 
+TEST_CASE("beams of two floors end in one wall side by side, or partly opposite each other, or are refused by the names of both") {
+  int built = 0, refused = 0;
+  for (int k = 0; k < 40; ++k) {
+    const double shift = 0.03 * k;
+    CAPTURE(shift);
+    Case c = room();
+    c.walls.push_back(wall("across", {{0.2, 2.0}, {4.8, 2.0}}, 0.4, 2.4));
+    c.walls[1].bond = WallBond::through;
+    c.floors[0].walls[1] = "across", c.floors[0].beams.bearing = 0.12, c.floors[0].beams.beam = {0.2, 0.2};
+    c.floors.push_back(floor_between("rear", {"across", "outer 3"}));
+    c.floors[1].beams = c.floors[0].beams;
+    c.floors[1].corners = {{0.4 + shift, 2.0}, {4.6, 2.0}, {4.6, 3.6}, {0.4 + shift, 3.6}};
+    try {
+      const Model m = build_model(c);
+      const double walls = 2.4 * (5.0 * 4.0 - 4.2 * 3.2 + 4.2 * 0.4), clear = 1.4;
+      CHECK(volume_of(m) == doctest::Approx(walls + static_cast<double>(beams_of(m)) * clear * 0.2 * 0.2).epsilon(1e-9));
+      CHECK(seats(m)["across wall"] == doctest::Approx(static_cast<double>(beams_of(m)) * 0.2 * 0.12).epsilon(1e-9));
+      check_joint_areas(m);
+      check_same(m, build_model(moved(c, 0.3, false)));
+      ++built;
+    } catch (const InputError& e) {
+      CHECK(e.key() == "floor[1].spacing");
+      CHECK_MESSAGE(std::string(e.what()).find("across wall, where floor[0] has them, with ") != std::string::npos, e.what());
+      ++refused;
+    }
+  }
+  CHECK(built >= 10);
+  CHECK(refused >= 5);
+  Case c = room();
+  c.floors.push_back(c.floors[0]);
+  c.floors[1].name = "again";
+  check_refused(c, std::function<void(Case&)>([](Case&) {}), "floor[1].corners", "puts beams into those from ");
+}
+
 TEST_CASE("a plan that is turned, mirrored or given with its walls in another order has the same floor") {
   Case c = room();
   c.walls[0].points = {{0.0, 0.0}, {5.07, 0.0}, {5.07, 4.03}, {0.0, 4.03 + kLean}};  // of which no half brick is left, which may go either way
