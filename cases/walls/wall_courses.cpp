@@ -135,13 +135,19 @@ void check_place(const WallSpec& wall, const WallsPlan& plan, const Leg& leg, co
                                                     : "; there is no room for it in this side"));
 }
 
+/// Up to which height a hole may reach: the top of the wall, or in a gable or a parapet as high as leaves half a brick above it.
+Tick highest_head(const WallSpec& wall, const Leg& leg, double low, double high) {
+  const Tick top = ticks(wall.base + wall.height), least = leg.hills.empty() ? 0 : ticks(leg.lowest_top(low, high) - 0.5 * wall.brick[2]);
+  return std::max(top, least);
+}
+
 /// Adds a hole upon an opening, wider by `beyond` at either side, and as high as a key says.
 void add_upon(const WallSpec& wall, const WallsPlan& plan, Leg& leg, const LegHole& under, double beyond, const std::string& key,
               LegHole hole, const std::string& height_key, double height) {
-  const Tick top = ticks(wall.base + wall.height);
+  const Tick foot = ticks(wall.base), top = highest_head(wall, leg, under.low - beyond, under.high + beyond);
   if (hole.height.high > top)
-    throw InputError(height_key, text(height) + " m ends at " + metres_text(hole.height.high - ticks(wall.base)) + " m, above the wall (" +
-                                     text(wall.height) + " m)");
+    throw InputError(height_key, text(height) + " m ends at " + metres_text(hole.height.high - foot) + " m, above the wall (" +
+                                     metres_text(top - foot) + " m)");
   hole.low = under.low - beyond, hole.high = under.high + beyond, hole.opening = under.opening;
   check_place(wall, plan, leg, hole, key, beyond, -1.0, 1.0);
   leg.holes.push_back(hole);
@@ -174,17 +180,18 @@ void add_opening(const WallSpec& wall, std::size_t index, std::size_t opening, W
   const WallOpening& o = wall.openings[opening];
   const auto key = [&](const char* field) { return opening_key(index, opening, field); };
   positive_length(o.width, key("width")), positive_length(o.height, key("height"));
-  if (!(o.sill >= 0.0 && o.sill < wall.height))
-    throw InputError(key("sill"), text(o.sill) + " m; allowed: 0 to below the height of the wall, " + text(wall.height) + " m");
-  const Tick foot = ticks(wall.base), sill = foot + ticks(o.sill), head = sill + ticks(o.height), top = ticks(wall.base + wall.height);
-  if (head > top)
-    throw InputError(key("height"), text(o.height) + " m ends at " + text(o.sill + o.height) + " m, above the wall (" + text(wall.height) +
-                                        " m); at most " + metres_text(top - sill) + " m");
   const std::vector<Leg*> legs = legs_of(plan, index);
   const Found found = find_stretch(legs, o.from, o.width);
   if (found.leg == nullptr)
     throw InputError(key("from"), text(o.from) + " m to " + text(o.from + o.width) + " m lie in no one side of the wall, whose line is " +
                                       length_text(line_length(legs)) + " m long; an opening does not go round a corner");
+  const Tick foot = ticks(wall.base), sill = foot + ticks(o.sill), head = sill + ticks(o.height),
+             top = highest_head(wall, *found.leg, found.low, found.low + o.width);
+  if (!(o.sill >= 0.0 && sill < top))
+    throw InputError(key("sill"), text(o.sill) + " m; allowed: 0 to below the height of the wall, " + metres_text(top - foot) + " m");
+  if (head > top)
+    throw InputError(key("height"), text(o.height) + " m ends at " + text(o.sill + o.height) + " m, above the wall (" +
+                                        metres_text(top - foot) + " m); at most " + metres_text(top - sill) + " m");
   const LegHole hole{found.low, found.low + o.width, {sill, head}, opening};
   check_place(wall, plan, *found.leg, hole, key("from"), o.from, 1.0, 1.0);
   found.leg->holes.push_back(hole);
@@ -276,7 +283,8 @@ void plan_wall_courses(const std::vector<WallSpec>& walls, const std::vector<Wal
     for (const Level& l : kept_levels(levels, std::max<Tick>(1, brick / 5), faults)) beds.push_back(l.at);
     std::ranges::sort(beds);
     beds.erase(std::unique(beds.begin(), beds.end()), beds.end());
-    for (const Tick crown = crown_of(plan, first); beds.back() < crown;) beds.push_back(beds.back() + brick);  // of a gable: cut along its top
+    for (const Tick crown = crown_of(plan, first); beds.back() < crown;)
+      beds.push_back(beds.back() + brick);  // of a gable: cut along its top
     for (std::size_t i = 0; i + 1 < beds.size(); ++i) add_courses({beds[i], beds[i + 1]}, brick, plan.courses[first]);
   }
   faults.raise();

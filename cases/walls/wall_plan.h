@@ -102,6 +102,8 @@ struct Leg {
   [[nodiscard]] const Station* end(LegEnd which) const noexcept;
   /// The highest that bricks reach between two places [m, of s], above the base.
   [[nodiscard]] double highest(double from, double to) const noexcept;
+  /// The lowest top of the leg between two places [m, of s], above the base.
+  [[nodiscard]] double lowest_top(double from, double to) const noexcept;
 };
 
 /// A course of the walls that are joined; all of them have the same.

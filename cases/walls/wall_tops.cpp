@@ -15,8 +15,8 @@ namespace {
 using geometry::Point2;
 using geometry::Polygon;
 
-constexpr double kFarOff = 1e5;      // m, beyond any wall
-constexpr double kLevel = 1e-9;   // m
+constexpr double kFarOff = 1e5;  // m, beyond any wall
+constexpr double kLevel = 1e-9;  // m
 
 double foot_of(const WallSpec& wall) { return metres(ticks(wall.base)); }
 double eaves_of(const WallSpec& wall) { return metres(ticks(wall.base + wall.height)); }
@@ -36,7 +36,8 @@ Polygon tops_of(const WallSpec& wall, std::size_t index, double length) {
     if (ticks(height) < ticks(wall.height))
       throw InputError(key, text(height) + " m is below the height of the wall; allowed: " + text(wall.height) + " m or more");
     if (place > length + kPlanTolerance)
-      throw InputError(key, text(place) + " m lies beyond the line of the wall, which is " + text(std::round(length * 1e4) * 1e-4) + " m long");
+      throw InputError(key,
+                       text(place) + " m lies beyond the line of the wall, which is " + text(std::round(length * 1e4) * 1e-4) + " m long");
     if (i > 0 && place < wall.tops[i - 1][0])
       throw InputError(key, text(place) + " m comes before " + text(wall.tops[i - 1][0]) + " m; places ascend");
     top.push_back({place, foot + height});
@@ -113,6 +114,18 @@ double Leg::highest(double from, double to) const noexcept {
   return most;
 }
 
+double Leg::lowest_top(double from, double to) const noexcept {
+  double least = highest(from, to);  // a hill is highest within, so its top is lowest at an end
+  std::vector<double> places{from, to};
+  for (const Hill& h : hills) {
+    for (const double s : {h.from, h.to}) {
+      if (s > from && s < to) places.push_back(s - kPlanTolerance), places.push_back(s + kPlanTolerance);
+    }
+  }
+  for (const double s : places) least = std::min(least, highest(s - kPlanTolerance, s + kPlanTolerance));
+  return least;
+}
+
 void raise(const WallSpec& wall, const Polygon& top, const std::string& key, Leg& leg) {
   const double eaves = eaves_of(wall);
   std::vector<Polygon> parts(1);
@@ -124,8 +137,7 @@ void raise(const WallSpec& wall, const Polygon& top, const std::string& key, Leg
     if (part.back().s - part.front().s < kPlanTolerance) continue;
     Hill hill = hill_of(part, eaves, key);
     if (hill.crown < eaves + kLevel) continue;
-    if (leg.facets.size() > 1)
-      throw InputError(key, "rises in the " + leg.tag + ", which bends; the tops of sides that bend are level");
+    if (leg.facets.size() > 1) throw InputError(key, "rises in the " + leg.tag + ", which bends; the tops of sides that bend are level");
     for (const Hill& other : leg.hills) {
       if (hill.from < other.to - kPlanTolerance && hill.to > other.from + kPlanTolerance)
         throw InputError(key, "raises the " + leg.tag + " where " + other.key + " does");

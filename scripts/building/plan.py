@@ -274,7 +274,7 @@ def lay_courses(plan: Plan) -> None:
     """Leaves out openings that [[wall]] has no place for, and moves sills, heads and lintels to few levels, so that no course is too low."""
     for wall in plan.walls:
         for o in list(wall.openings):
-            why = "in a gable or a parapet" if o.head > wall.height + TOUCH else "at the end of its wall" if o.start < TOUCH or o.start + o.width > wall.length - TOUCH else ""
+            why = "at the end of its wall" if o.start < TOUCH or o.start + o.width > wall.length - TOUCH else "" if o.head <= wall.height + TOUCH or in_gable(wall, o, 0.0) else "too near to the slope of a gable"
             if why:
                 wall.openings.remove(o)
                 plan.leave_out(f"opening {o.name} of wall {wall.name}".replace("  ", " "), f"is {why}")
@@ -305,13 +305,20 @@ def lay_courses(plan: Plan) -> None:
         plan.changed.append(f"{sum(m > 1e-4 for m in moved)} of {len(moved)} sills and heads: moved by {max(moved):.3f} m at most, so that courses of bricks fit")
 
 
+def in_gable(wall: Wall, o: Opening, beyond: float) -> bool:
+    """Whether a wall reaches above an opening, and its lintel, by half a block."""
+    def top(s: float) -> float:
+        return next((z + (w - z) * (s - a) / (b - a) for (a, z), (b, w) in zip(wall.tops, wall.tops[1:]) if a <= s <= b and a < b), wall.height)
+    return o.head + beyond + 0.1 <= min(top(o.start - beyond), top(o.start + o.width + beyond))
+
+
 def has_room(wall: Wall, o: Opening) -> bool:
     """Whether a lintel fits above and beside an opening."""
     beside = [o.start, wall.length - o.start - o.width]
     for p in wall.openings:
         if p is not o and p.sill < o.head + LINTEL and p.head + LINTEL > o.head:
             beside.append((o.start - p.start - p.width if p.start < o.start else p.start - o.start - o.width) - LINTEL)
-    return wall.height - o.head >= LINTEL - COURSE and min(beside) >= LINTEL
+    return (wall.height - o.head >= LINTEL - COURSE or in_gable(wall, o, LINTEL)) and min(beside) >= LINTEL
 
 
 def floor_of(element: dict, name: str, plan: Plan) -> None:

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
+#include <random>
 #include <set>
 
 #include "tests/cases/refused.h"
@@ -57,6 +58,40 @@ TEST_CASE("gables and parapets of a wall: the volume under the top, no sliver") 
   WallSpec w = wall("w", {{0.0, 0.0}, {6.0, 0.0}}, 0.4, 1.2);
   w.tops = {{0.5, 1.8}, {1.5, 1.8}, {1.5, 1.2}, {2.0, 1.2}, {3.0, 2.6}, {4.0, 1.9}, {5.0, 2.4}, {6.0, 1.7}};
   check_risen(case_of({w}), 0.4 * (6.0 * 1.2 + 0.6 + 0.7 + 1.05 + 0.95 + 0.85));
+}
+
+TEST_CASE("openings in gables, with lintels or without: the volume, no sliver, or a refusal by the height of the wall there") {
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> any(0.0, 1.0);
+  int built = 0, in_gable = 0, refused = 0;
+  for (int k = 0; k < 150; ++k) {
+    CAPTURE(k);
+    const double angle = k % 3 == 0 ? 0.7 : 0.0, length = 6.0, height = 2.0, rise = 2.6;
+    WallSpec w = wall("w", {{0.0, 0.0}, {length * std::cos(angle), length * std::sin(angle)}}, 0.4, height,
+                      k % 2 == 0 ? WallBond::english : WallBond::through);
+    w.gable = height + rise;
+    const double width = 0.2 * std::round(2.0 + 3.0 * any(random)), sill = 0.2 * std::round(20.0 * any(random)),
+                 tall = 0.2 * std::round(2.0 + 3.0 * any(random));
+    const double from = 0.05 * std::round(20.0 * any(random) * (length - width));
+    w.openings = {{from, width, sill, tall, {}, {}}};
+    if (k % 4 > 1) w.openings[0].lintel = WallLintel{0.2, 0.2, {}};
+    const auto top_at = [&](double s) { return height + rise * (1.0 - std::abs(2.0 * s / length - 1.0)); };
+    const double head = sill + tall + (w.openings[0].lintel ? 0.2 : 0.0), beyond = w.openings[0].lintel ? 0.2 : 0.0;
+    const double room = std::min(top_at(from - beyond), top_at(from + width + beyond)) - 0.5 * w.brick[2];
+    try {
+      const Model m = check_risen(case_of({w}), 0.4 * (length * height + 0.5 * length * rise - width * tall));
+      check_joint_areas(m);
+      CHECK((head <= height + 1e-9 || head <= room + 1e-4));
+      ++built;
+      in_gable += sill + tall > height + 1e-9 ? 1 : 0;
+    } catch (const InputError& e) {
+      if (from > 0.5 && from + width < length - 0.5) CHECK_MESSAGE((head > height && head > room - 1e-4), e.what());
+      ++refused;
+    }
+  }
+  CHECK(built >= 30);
+  CHECK(in_gable >= 10);
+  CHECK(refused >= 30);
 }
 
 TEST_CASE("gables round a plan, and a parapet round corners") {
@@ -158,7 +193,11 @@ TEST_CASE("gables and roofs that cannot be built are refused with the key, the v
   refuse([](Case& c) { c.walls[0].tops = {{21.0, 2.5}}; }, "wall[0].tops[0]", "beyond the line of the wall, which is 20 m long");
   refuse([](Case& c) { c.walls[0].tops = {{3.0, 2.5}, {2.0, 2.5}}; }, "wall[0].tops[1]", "comes before 3 m; places ascend");
   refuse([](Case& c) { c.walls[0].tops = {{2.0, 2.0}, {2.4, 2.04}, {2.8, 2.0}}; }, "wall[0].tops", "rises by 0.04 m over 0.8 m");
-  refuse([](Case& c) { c.walls[0].tops = {{7.0, 2.6}, {8.0, 2.6}}; }, "roof[0].gables[0]", "raises the outer 2 wall where wall[0].tops does");
+  refuse(
+      [](Case& c) {
+        c.walls[0].tops = {{7.0, 2.6}, {8.0, 2.6}};
+      },
+      "roof[0].gables[0]", "raises the outer 2 wall where wall[0].tops does");
   refuse([](Case& c) { c.roofs[0].walls[1] = "outer 2"; }, "roof[0].walls", "less than 30 degrees");
   refuse([](Case& c) { c.roofs[0].gables[0] = "outer 3"; }, "roof[0].gables[0]", "not square to the ridge");
   refuse([](Case& c) { c.roofs[0].rafters.pitch = 70.0; }, "roof[0].pitch", "allowed: 5 to 60");
