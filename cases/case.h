@@ -56,6 +56,7 @@ struct Case {
   std::vector<WallSpec> walls;    // key: wall
   std::vector<WallFloor> floors;  // key: floor, between walls
   std::vector<WallRoof> roofs;    // key: roof, between walls
+  std::vector<WallVault> vaults;  // key: vault, between walls
   std::vector<BlockSpec> blocks;  // key: block
   std::vector<StonesSpec> stones;
   std::vector<Load> loads;  // key: load

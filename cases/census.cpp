@@ -23,7 +23,7 @@ constexpr double kLess = 1.0 - 1e-9;  // share of a bound: round-off must not ma
 /// The group of a block: "roof beam 12" and "roof beam 3" are in one group.
 std::string group_name(const Model& model, const Block& block) {
   if (block.wall >= 0) return block.tag;
-  if (block.house < 0 && block.span < 0) return "blocks of " + nth(model.materials, block.material).name;
+  if (block.house < 0 && block.span < 0 && block.vault < 0) return "blocks of " + nth(model.materials, block.material).name;
   if (block.tag.find(", storey ") != std::string::npos) return block.tag;
   const std::size_t last = block.tag.find_last_not_of("0123456789");
   const bool numbered = last != std::string::npos && last + 1 < block.tag.size() && block.tag[last] == ' ';

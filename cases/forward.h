@@ -6,6 +6,7 @@
 namespace voussoir::cases {
 
 struct Case;
+struct WallSpans;
 struct Model;
 struct NamedLaw;
 struct SupportHistory;

@@ -76,29 +76,36 @@ void add_house(const Case& c, Model& model) {
   }
 }
 
+}  // namespace
+
+WallSpans spans_of(const Case& c) { return {c.floors, c.roofs, c.vaults}; }
+
+namespace {
+
 /// The plan of walls and what spans between them; adds their materials under loads. \throw InputErrors with all that is at fault
 WallsPlan planned_walls(const Case& c, Model& model) {
   if (c.walls.empty()) {
     if (!c.floors.empty()) throw InputError("floor[0].walls", "name sides of [[wall]], of which the case has none");
     if (!c.roofs.empty()) throw InputError("roof[0].walls", "name sides of [[wall]], of which the case has none");
+    if (!c.vaults.empty()) throw InputError("vault[0].walls", "name sides of [[wall]], of which the case has none");
     return {};
   }
   Faults faults;
   WallsPlan plan;
-  faults.attempt([&] { check_wall_materials(c.walls, c.floors, c.roofs, model.materials); });
-  faults.attempt([&] { plan = plan_walls(c.walls, c.floors, c.roofs); });
+  faults.attempt([&] { check_wall_materials(c.walls, spans_of(c), model.materials); });
+  faults.attempt([&] { plan = plan_walls(c.walls, spans_of(c)); });
   const bool on_fixed_block = std::any_of(c.blocks.begin(), c.blocks.end(), [](const BlockSpec& b) { return b.fixed; });
   if (!c.base && !on_fixed_block && c.stones.empty())
     faults.add({"base", "a wall needs ground to stand on; add [base] with z = 0.0, or a fixed [[block]]"});
   faults.raise();
-  for (NamedMaterial& loaded : loaded_wall_materials(c.walls, c.floors, c.roofs, plan, model.materials))
+  for (NamedMaterial& loaded : loaded_wall_materials(c.walls, spans_of(c), plan, model.materials))
     model.materials.push_back(std::move(loaded));
   return plan;
 }
 
 void add_walls(const Case& c, const WallsPlan& plan, Model& model) {
   if (c.walls.empty()) return;
-  std::vector<Block> blocks = blocks_of_walls(c.walls, c.floors, c.roofs, plan, model.materials);
+  std::vector<Block> blocks = blocks_of_walls(c.walls, spans_of(c), plan, model.materials);
   number_along_plan(blocks, kCellLengths * c.walls[0].brick[0]);
   for (Block& block : blocks) {
     for (Vec3& v : block.shape.vertices) v.z += c.base ? c.base->z : 0.0;
@@ -113,6 +120,7 @@ std::string key_of(const Model& model, int element) {
   const Block& block = nth(model.blocks, element);
   if (block.wall >= 0) return indexed_key("wall", static_cast<std::size_t>(block.wall), "");
   if (block.span >= 0) return indexed_key(block.kind == PartKind::floor_beam ? "floor" : "roof", static_cast<std::size_t>(block.span), "");
+  if (block.vault >= 0) return indexed_key("vault", static_cast<std::size_t>(block.vault), "");
   if (block.ground >= 0) return indexed_key("base.part", static_cast<std::size_t>(block.ground), "");
   if (block.set >= 0) return indexed_key("stones", static_cast<std::size_t>(block.set), "file");
   return indexed_key("block", static_cast<std::size_t>(block.given), "");
@@ -336,7 +344,7 @@ const char* name(PartKind kind) noexcept {
 
 std::string describe(const Block& block, std::size_t element) {
   const std::string number = "element " + std::to_string(element);
-  if (block.ground >= 0 || block.wall >= 0 || block.span >= 0) return block.tag + " (" + number + ")";
+  if (block.ground >= 0 || block.wall >= 0 || block.span >= 0 || block.vault >= 0) return block.tag + " (" + number + ")";
   if (block.house < 0) return (block.set < 0 ? "block " : "stone ") + quoted(block.name) + " (" + number + ")";
   return block.tag + " (" + number + (block.house > 0 ? ", house " + std::to_string(block.house) : "") + ")";
 }

@@ -21,6 +21,9 @@ enum class PartKind : std::uint8_t { block, brick, lintel, beam, voussoir, colum
 /// The usual name: "brick", "ring beam".
 const char* name(PartKind kind) noexcept;
 
+/// Floors, roofs and vaults of a case.
+WallSpans spans_of(const Case& c);
+
 /// One future element, in order of element numbers.
 struct Block {
   Block();  // this and the next five are in compiled_once.cpp
@@ -48,6 +51,7 @@ struct Block {
   std::int32_t given = -1;           // index into Case::blocks; −1: of a house or of a file
   std::int32_t wall = -1;            // index into Case::walls; −1: not of [[wall]]
   std::int32_t span = -1;            // of a floor beam index into Case::floors, of a rafter into Case::roofs; −1: of neither
+  std::int32_t vault = -1;           // index into Case::vaults; −1: not of one
   std::int32_t unit = -1;            // shared by the two halves of a unit (of one house, or of Case::blocks); −1: in one piece
   std::int32_t ground = -1;          // index into Base::parts; −1: not ground
   std::int32_t set = -1;             // index into Case::stones; −1: not from a file

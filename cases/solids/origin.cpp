@@ -45,7 +45,7 @@ void each_of_model(C& c, Use use) {
       for (auto& p : list[i].corners) use(p[0], x, key), use(p[1], y, key);
     }
   };
-  plan(c.floors, "floor"), plan(c.roofs, "roof");
+  plan(c.floors, "floor"), plan(c.roofs, "roof"), plan(c.vaults, "vault");
   for (std::size_t i = 0; i < c.blocks.size(); ++i) each_of_block(c.blocks[i], indexed_key("block", i, "") + ".", use);
   for (std::size_t t = 0; t < c.stones.size(); ++t) {
     const std::string key = indexed_key("stones", t, "file");

@@ -46,16 +46,17 @@ struct WallSpec {
   std::string material;
   WallMeeting meeting = WallMeeting::toothed;
   double load = 0.0;  // kg per m of its length, carried by the course that ends at `height`
-  std::vector<std::array<double, 2>> tops;  // m: places along the wall's line, and the height of its top there, straight from one to the next
-  std::optional<double> gable;              // m, height of its top in the middle of a wall of one side; at its ends it is `height`
+  std::vector<std::array<double, 2>>
+      tops;                     // m: places along the wall's line, and the height of its top there, straight from one to the next
+  std::optional<double> gable;  // m, height of its top in the middle of a wall of one side; at its ends it is `height`
   std::vector<WallOpening> openings;
 };
 
 /// Beams between two sides of walls, in pockets or upon the walls. A side has the name of its wall, with a number if there are several.
 struct WallFloor {
   std::string name;
-  std::vector<std::string> walls;              // the two sides
-  std::vector<std::array<double, 2>> corners;  // m, four in turn: beams lie within this quadrilateral; none: in all that lies between
+  std::vector<std::string> walls;                  // the two sides
+  std::vector<std::array<double, 2>> corners;      // m, four in turn: beams lie within this quadrilateral; none: in all that lies between
   std::optional<std::array<double, 2>> direction;  // of the beams in plan; none: square to the first side
   std::optional<double> level;                     // m, of the beams' upper faces above the base; none: the lower top of the two
   std::string material, within_member = "wood";    // within_member: law between elements of a beam
@@ -72,7 +73,25 @@ struct WallRoof {
   Roof rafters;  // its kind and what belongs to other kinds are not used
 };
 
-inline const std::vector<WallFloor> kNoFloors;
-inline const std::vector<WallRoof> kNoRoofs;
+/// A barrel vault between two parallel sides of walls of the same height: rings of voussoirs side by side, feet cut level on the walls.
+struct WallVault {
+  std::string name;
+  std::vector<std::string> walls;              // the two sides
+  std::vector<std::string> gables;             // sides that rise to the vault's soffit
+  std::vector<std::array<double, 2>> corners;  // m, as of a floor
+  std::string material;
+  std::optional<double> rise;  // m, of the soffit above its springing; none: half the span
+  double thickness = 0.2;      // m
+  double ring = 0.2;           // m, length of a ring along the axis
+  int voussoirs = 25;          // in a ring
+  double surcharge = 0.0;      // kg/m2 of the outer face
+};
+
+/// What spans between walls.
+struct WallSpans {
+  std::vector<WallFloor> floors;
+  std::vector<WallRoof> roofs;
+  std::vector<WallVault> vaults;
+};
 
 }  // namespace voussoir::cases

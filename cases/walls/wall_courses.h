@@ -18,9 +18,9 @@ void add_wall_openings(const std::vector<WallSpec>& walls, WallsPlan& plan);
 /// \return in words; nothing: it fits
 std::optional<std::string> in_the_way_of(const WallSpec& wall, const WallsPlan& plan, const Leg& leg, const Pocket& pocket);
 
-/// Sets WallsPlan::courses: walls that meet have the same. Between two levels (foot, top, sill, head, top of a lintel, beams) lie equal courses,
-/// as high as a brick or up to a third higher or lower; two levels nearer than two thirds of a brick have one low course between them.
-/// \throw InputError or InputErrors: bricks of other height, two levels within a fifth of a brick
+/// Sets WallsPlan::courses: walls that meet have the same. Between two levels (foot, top, sill, head, top of a lintel, beams) lie equal
+/// courses, as high as a brick or up to a third higher or lower; two levels nearer than two thirds of a brick have one low course between
+/// them. \throw InputError or InputErrors: bricks of other height, two levels within a fifth of a brick
 void plan_wall_courses(const std::vector<WallSpec>& walls, const std::vector<WallFloor>& floors, WallsPlan& plan);
 
 }  // namespace voussoir::cases

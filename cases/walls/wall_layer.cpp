@@ -93,7 +93,12 @@ std::vector<Field> fields_of(const WallSpec& wall, const WallsPlan& plan, const 
 }
 
 Layer::Layer(const WallSpec& wall, const Leg& leg, const std::vector<Field>& fields, const Wythe& wythe, Interval course)
-    : leg_(leg), fields_(fields), wythe_(wythe), course_(course), low_(metres(wythe.depth.low) - leg.half), high_(metres(wythe.depth.high) - leg.half) {
+    : leg_(leg),
+      fields_(fields),
+      wythe_(wythe),
+      course_(course),
+      low_(metres(wythe.depth.low) - leg.half),
+      high_(metres(wythe.depth.high) - leg.half) {
   unit_ = metres(wythe.unit);
   for (const Field& f : fields) longest_ = std::max(longest_, unit_ * f.scale);
   if (fields.empty()) longest_ = unit_;
@@ -149,7 +154,7 @@ void Layer::add(const Span& span, const std::vector<double>& bounds, std::size_t
 }
 
 void Layer::add_cut(const Span& span, std::array<double, 2> ends, const CutBrick& brick, std::array<double, 2> height, double whole,
-             std::vector<PlanBrick>& bricks) const {
+                    std::vector<PlanBrick>& bricks) const {
   const LegCut low = brick.low == ends[0] ? span.low.cut : LegCut{brick.low};
   const LegCut high = brick.high == ends[1] ? span.high.cut : LegCut{brick.high};
   PlanBrick b{corners(low, high), false, {ticks(height[0]), ticks(height[1])}, {}, brick.area / whole};

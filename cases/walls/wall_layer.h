@@ -59,7 +59,7 @@ class Layer {
   const Leg& leg_;
   const std::vector<Field>& fields_;
   const Wythe& wythe_;
-  Interval course_;  // heights
+  Interval course_;                                  // heights
   double low_, high_;                                // m, d of its faces
   double unit_ = 0.0, longest_ = 0.0, least_ = 0.0;  // m
 };

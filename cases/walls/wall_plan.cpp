@@ -8,12 +8,13 @@
 
 #include "cases/house/house_wall.h"
 #include "cases/names.h"
-#include "cases/walls/wall_courses.h"
 #include "cases/walls/spans/wall_floors.h"
+#include "cases/walls/spans/wall_roofs.h"
+#include "cases/walls/spans/wall_vaults.h"
+#include "cases/walls/wall_courses.h"
 #include "cases/walls/wall_layout.h"
 #include "cases/walls/wall_legs.h"
 #include "cases/walls/wall_meetings.h"
-#include "cases/walls/spans/wall_roofs.h"
 #include "cases/walls/wall_tops.h"
 
 namespace voussoir::cases {
@@ -83,7 +84,7 @@ std::vector<Wythe> wythes_of(const WallSpec& wall, const HousePlan& bricks, int 
   return {{{0, thickness}, bricks.brick_length, course % 2 == 0 ? 0 : bricks.brick_length / 2}};
 }
 
-WallsPlan plan_walls(const std::vector<WallSpec>& walls, const std::vector<WallFloor>& floors, const std::vector<WallRoof>& roofs) {
+WallsPlan plan_walls(const std::vector<WallSpec>& walls, const WallSpans& spans) {
   WallsPlan plan;
   std::vector<Corner> corners;
   Faults faults;
@@ -99,10 +100,11 @@ WallsPlan plan_walls(const std::vector<WallSpec>& walls, const std::vector<WallF
   check_number(walls, plan);
   find_meetings(walls, corners, plan);
   faults.attempt([&] { add_own_tops(walls, plan); });
-  faults.attempt([&] { plan_wall_roofs(walls, roofs, plan); });
+  faults.attempt([&] { plan_wall_roofs(walls, spans.roofs, plan); });
+  faults.attempt([&] { plan_wall_vaults(walls, spans.vaults, plan); });
   faults.attempt([&] { add_wall_openings(walls, plan); });
-  faults.attempt([&] { plan_wall_floors(walls, floors, plan); });
-  faults.attempt([&] { plan_wall_courses(walls, floors, plan); });
+  faults.attempt([&] { plan_wall_floors(walls, spans.floors, plan); });
+  faults.attempt([&] { plan_wall_courses(walls, spans.floors, plan); });
   faults.raise();
   finish_hills(walls, plan);
   check_layout(walls, plan);

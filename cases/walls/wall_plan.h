@@ -74,11 +74,11 @@ struct Pocket {
 
 /// A part of a leg that rises above the height of its wall: a gable, a parapet. Bricks of its courses are cut to it.
 struct Hill {
-  geometry::Polygon under;       // (s, height above the base) [m], convex, counter-clockwise, from the height of the wall up
-  double from = 0.0, to = 0.0;   // m, range of s
-  double crown = 0.0;            // m
-  Tick last = 0;                 // where its uppermost course begins, which reaches to the crown
-  std::string key;               // of the case
+  geometry::Polygon under;      // (s, height above the base) [m], convex, counter-clockwise, from the height of the wall up
+  double from = 0.0, to = 0.0;  // m, range of s
+  double crown = 0.0;           // m
+  Tick last = 0;                // where its uppermost course begins, which reaches to the crown
+  std::string key;              // of the case
 };
 
 struct Leg {
@@ -93,8 +93,8 @@ struct Leg {
   std::vector<LegHole> holes;     // ascending
   std::vector<Pocket> pockets;
   std::vector<Hill> hills;  // ascending
-  Tick eaves = 0;                 // above the base: the height of its wall
-  Interval height;                // above the base, up to the highest of its hills
+  Tick eaves = 0;           // above the base: the height of its wall
+  Interval height;          // above the base, up to the highest of its hills
 
   [[nodiscard]] double length() const noexcept { return facets.back().start + facets.back().length; }
   /// The point (s, d) in plan; across a bend d runs along the bisector.
@@ -144,11 +144,11 @@ struct WallsPlan {
   std::vector<HousePlan> bricks;   // by wall: size of its bricks and its bond, for wythes()
   std::vector<BayFloor> floors;    // by floor of the case
   std::vector<Bay> roofs;          // by roof of the case
+  std::vector<Bay> vaults;         // by vault of the case
 };
 
 /// Checks all walls, and what spans between them, and lays out their plan. \throw InputError, or InputErrors with all that is at fault
-WallsPlan plan_walls(const std::vector<WallSpec>& walls, const std::vector<WallFloor>& floors = kNoFloors,
-                     const std::vector<WallRoof>& roofs = kNoRoofs);
+WallsPlan plan_walls(const std::vector<WallSpec>& walls, const WallSpans& spans = {});
 
 /// Key of a wall: "wall[1].points".
 std::string wall_key(std::size_t wall, const char* field);

@@ -11,9 +11,10 @@
 #include "cases/house/walls/arches.h"
 #include "cases/names.h"
 #include "cases/walls/spans/wall_floors.h"
+#include "cases/walls/spans/wall_roofs.h"
+#include "cases/walls/spans/wall_vaults.h"
 #include "cases/walls/wall_layout.h"
 #include "cases/walls/wall_plan.h"
-#include "cases/walls/spans/wall_roofs.h"
 
 namespace voussoir::cases {
 namespace {
@@ -99,18 +100,19 @@ void add_arches(const WallSpec& wall, const HousePlan& bricks, const Leg& leg, c
 
 }  // namespace
 
-void check_wall_materials(const std::vector<WallSpec>& walls, const std::vector<WallFloor>& floors, const std::vector<WallRoof>& roofs,
-                          std::span<const NamedMaterial> materials) {
+void check_wall_materials(const std::vector<WallSpec>& walls, const WallSpans& spans, std::span<const NamedMaterial> materials) {
   Faults faults;
   for (std::size_t i = 0; i < walls.size(); ++i) materials_of(walls[i], i, materials, faults);
-  faults.attempt([&] { loaded_floor_materials(floors, materials); });
-  for (std::size_t i = 0; i < roofs.size(); ++i)
-    faults.attempt([&] { find_material(materials, roofs[i].material, indexed_key("roof", i, "material")); });
+  faults.attempt([&] { loaded_floor_materials(spans.floors, materials); });
+  for (std::size_t i = 0; i < spans.roofs.size(); ++i)
+    faults.attempt([&] { find_material(materials, spans.roofs[i].material, indexed_key("roof", i, "material")); });
+  for (std::size_t i = 0; i < spans.vaults.size(); ++i)
+    faults.attempt([&] { find_material(materials, spans.vaults[i].material, indexed_key("vault", i, "material")); });
   faults.raise();
 }
 
-std::vector<Block> blocks_of_walls(const std::vector<WallSpec>& walls, const std::vector<WallFloor>& floors,
-                                   const std::vector<WallRoof>& roofs, const WallsPlan& plan, std::span<const NamedMaterial> materials) {
+std::vector<Block> blocks_of_walls(const std::vector<WallSpec>& walls, const WallSpans& spans, const WallsPlan& plan,
+                                   std::span<const NamedMaterial> materials) {
   Faults faults;
   std::vector<WallMaterials> of_wall;
   for (std::size_t i = 0; i < walls.size(); ++i) of_wall.push_back(materials_of(walls[i], i, materials, faults));
@@ -128,16 +130,17 @@ std::vector<Block> blocks_of_walls(const std::vector<WallSpec>& walls, const std
     add_arches(walls[leg.wall], plan.bricks[leg.wall], leg, of_wall[leg.wall], blocks);
   }
   std::int32_t members = 0;
-  add_floor_beams(plan, floors, materials, members, blocks);
-  add_rafters(walls, plan, roofs, materials, members, blocks);
+  add_floor_beams(plan, spans.floors, materials, members, blocks);
+  add_rafters(walls, plan, spans.roofs, materials, members, blocks);
+  add_vault_rings(walls, plan, spans.vaults, materials, blocks);
   return blocks;
 }
 
-std::vector<NamedMaterial> loaded_wall_materials(const std::vector<WallSpec>& walls, const std::vector<WallFloor>& floors,
-                                                 const std::vector<WallRoof>& roofs, const WallsPlan& plan,
+std::vector<NamedMaterial> loaded_wall_materials(const std::vector<WallSpec>& walls, const WallSpans& spans, const WallsPlan& plan,
                                                  std::span<const NamedMaterial> materials) {
-  std::vector<NamedMaterial> all = loaded_floor_materials(floors, materials);
-  for (NamedMaterial& m : loaded_roof_materials(walls, plan, roofs, materials)) all.push_back(std::move(m));
+  std::vector<NamedMaterial> all = loaded_floor_materials(spans.floors, materials);
+  for (NamedMaterial& m : loaded_roof_materials(walls, plan, spans.roofs, materials)) all.push_back(std::move(m));
+  for (NamedMaterial& m : loaded_vault_materials(walls, plan, spans.vaults, materials)) all.push_back(std::move(m));
   for (std::size_t i = 0; i < walls.size(); ++i) {
     if (walls[i].load == 0.0) continue;
     const std::int32_t bare = find_material(materials, walls[i].material, wall_key(i, "material"));
@@ -150,9 +153,8 @@ std::vector<NamedMaterial> loaded_wall_materials(const std::vector<WallSpec>& wa
   return all;
 }
 
-std::vector<AdaptedBricks> adapted_bricks(const std::vector<WallSpec>& walls, const std::vector<WallFloor>& floors,
-                                          const std::vector<WallRoof>& roofs) {
-  const WallsPlan plan = plan_walls(walls, floors, roofs);
+std::vector<AdaptedBricks> adapted_bricks(const std::vector<WallSpec>& walls, const WallSpans& spans) {
+  const WallsPlan plan = plan_walls(walls, spans);
   std::vector<AdaptedBricks> all;
   for (std::size_t i = 0; i < walls.size(); ++i) {
     const auto& [length, width, height] = walls[i].brick;

@@ -182,8 +182,8 @@ class FloorLayer {
   void add_pocket(const BayBeam& beam, std::size_t in, double from, double to) {
     Leg& leg = plan_.legs[in];
     if (!leg.height.overlaps(laid_.height)) return;
-    Pocket p{cut_at(leg, laid_.bay, metres(beam.across.low)), cut_at(leg, laid_.bay, metres(beam.across.high)), from, to, laid_.height,
-             index_};
+    Pocket p{
+        cut_at(leg, laid_.bay, metres(beam.across.low)), cut_at(leg, laid_.bay, metres(beam.across.high)), from, to, laid_.height, index_};
     if (p.low.at > p.high.at) std::swap(p.low, p.high);
     const double low = std::min(p.low(from), p.low(to)), high = std::max(p.high(from), p.high(to));
     if (const auto words = in_the_way_of(walls_[leg.wall], plan_, leg, p))
@@ -270,7 +270,8 @@ void add_floor_beams(const WallsPlan& plan, const std::vector<WallFloor>& floors
         block.member = members++;
         for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
           block.shape = upright(in_bay(laid.bay, {metres(beam.across.low), metres(beam.across.high)}, ends[k], ends[k + 1]), laid.height);
-          block.whole = std::abs(ends[k + 1][0] - ends[k][0] - beams.element) < 1e-9 && std::abs(ends[k + 1][1] - ends[k][1] - beams.element) < 1e-9;
+          block.whole =
+              std::abs(ends[k + 1][0] - ends[k][0] - beams.element) < 1e-9 && std::abs(ends[k + 1][1] - ends[k][1] - beams.element) < 1e-9;
           blocks.push_back(block);
         }
       }

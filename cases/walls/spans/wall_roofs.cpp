@@ -15,109 +15,46 @@
 namespace voussoir::cases {
 namespace {
 
-constexpr double kSquare = 1e-6;  // rad
-constexpr double kFar = 1e5;      // m, beyond any wall
+constexpr double kFar = 1e5;  // m, beyond any wall
 
 std::string roof_key(std::size_t roof, const char* field = "") { return Spanning{"roof", roof}.key(field); }
-
-/// Sets the range of u to that from end to end of both sides, with what other walls fill of it.
-void reach_to_ends(const WallsPlan& plan, Bay& bay) {
-  double low = -kFar, high = kFar;
-  for (const WallFace& face : bay.faces) {
-    const Leg& leg = plan.legs[face.leg];
-    const Station *first = leg.end(LegEnd::low), *last = leg.end(LegEnd::high);
-    const double from = first == nullptr ? 0.0 : first->low(face.d), to = last == nullptr ? leg.length() : last->high(face.d);
-    const double one = dot(leg.at(from, face.d) - bay.from, bay.across), other = dot(leg.at(to, face.d) - bay.from, bay.across);
-    low = std::max(low, std::min(one, other)), high = std::min(high, std::max(one, other));
-  }
-  bay.low = low, bay.high = high;
-}
 
 /// A roof over a bay, laid out: rafters in axes of their own, x along the ridge, y from the first wall to the second.
 class LaidRoof {
  public:
   LaidRoof(const std::vector<WallSpec>& walls, const WallsPlan& plan, const WallRoof& roof, std::size_t index)
-      : bay_(plan.roofs[index]), length_(bay_.high - bay_.low) {
-    const double one = v_of(plan, bay_, bay_.faces[0], 0.0), other = v_of(plan, bay_, bay_.faces[1], 0.0);
-    from_ = one;
+      : axes_(plan, plan.roofs[index]) {
+    const Bay& bay = axes_.bay();
     double most = kFar;
-    for (const WallFace& face : bay_.faces) {
+    for (const WallFace& face : bay.faces) {
       const WallSpec& wall = walls[plan.legs[face.leg].wall];
       if (roof.rafters.bearing && *roof.rafters.bearing > wall.thickness + 1e-9)
         throw InputError(roof_key(index, "bearing"), text(*roof.rafters.bearing) + " m is more than the thickness of the " +
-                                                       plan.legs[face.leg].tag + "; at most " + text(wall.thickness) + " m");
+                                                         plan.legs[face.leg].tag + "; at most " + text(wall.thickness) + " m");
       most = std::min({most, wall.thickness, wall.brick[0]});
     }
     if (roof.rafters.bearing) most = *roof.rafters.bearing;
-    const double seat = metres(eaves(walls[plan.legs[bay_.faces[0].leg].wall]));
-    profile_ = rafter_profile(roof.rafters, {0.0, 0.5 * (other - one), seat, most, length_}, roof_key(index));
-    mirrored_ = cross(bay_.across, bay_.along).z < 0.0;
+    const double seat = metres(eaves(walls[plan.legs[bay.faces[0].leg].wall]));
+    profile_ = rafter_profile(roof.rafters, {0.0, 0.5 * axes_.span(), seat, most, axes_.length()}, roof_key(index));
   }
 
   [[nodiscard]] const RafterProfile& profile() const noexcept { return profile_; }
-  [[nodiscard]] double length() const noexcept { return length_; }
-
-  [[nodiscard]] Vec3 in_case(Vec3 p) const noexcept {
-    const Vec3 plan = bay_.at(bay_.low + p.x, from_ + p.y);
-    return {plan.x, plan.y, p.z};
-  }
+  [[nodiscard]] const BayAxes& axes() const noexcept { return axes_; }
 
   /// Elements in axes of the case, their cells in the usual order.
   [[nodiscard]] std::vector<RafterElement> elements() const {
     std::vector<RafterElement> all = rafter_elements(profile_);
-    for (RafterElement& e : all) {
-      if (mirrored_) e.shape = geometry::mirrored(e.shape, {1.0, 0.0, 0.0}, {0.5 * length_, 0.0, 0.0});
-      for (Vec3& v : e.shape.vertices) v = in_case(mirrored_ ? Vec3{length_ - v.x, v.y, v.z} : v);
-    }
+    for (RafterElement& e : all) e.shape = axes_.in_case(std::move(e.shape));
     return all;
   }
 
  private:
-  const Bay& bay_;
-  double length_ = 0.0, from_ = 0.0;  // m; from_: v of the first wall's face
+  BayAxes axes_;
   RafterProfile profile_;
-  bool mirrored_ = false;
 };
 
-void check_sides(const std::vector<WallSpec>& walls, const WallsPlan& plan, std::size_t index) {
-  const Bay& bay = plan.roofs[index];
-  const Leg &a = plan.legs[bay.faces[0].leg], &b = plan.legs[bay.faces[1].leg];
-  if (std::abs(cross(a.facets[0].along, b.facets[0].along).z) > kSquare)
-    throw InputError(roof_key(index, "walls"), "are not parallel: the " + a.tag + " and the " + b.tag + "; a ridge lies midway between two that are");
-  if (eaves(walls[a.wall]) != eaves(walls[b.wall]))
-    throw InputError(roof_key(index, "walls"), "have tops at " + metres_text(eaves(walls[a.wall])) + " and " +
-                                                 metres_text(eaves(walls[b.wall])) + " m above the base: the " + a.tag + " and the " + b.tag +
-                                                 "; rafters of a pair rest at one height");
-}
-
-/// Raises a side to the underside of the rafters.
-void add_gable(const std::vector<WallSpec>& walls, const WallRoof& roof, std::size_t index, std::size_t gable, WallsPlan& plan) {
-  const std::string key = indexed_key(roof_key(index, "gables"), gable, "");
-  const std::size_t found = find_side(walls, plan, roof.gables[gable], key);
-  const Bay& bay = plan.roofs[index];
-  const LaidRoof laid(walls, plan, roof, index);
-  const RafterProfile& p = laid.profile();
-  Leg& leg = plan.legs[found];
-  const Facet& f = leg.facets[0];
-  if (leg.facets.size() > 1 || std::abs(cross(f.along, bay.along).z) > kSquare)
-    throw InputError(key, "the " + leg.tag + " is not square to the ridge of the roof; gables are");
-  if (eaves(walls[leg.wall]) != ticks(p.seat))
-    throw InputError(key, "the " + leg.tag + " ends at " + metres_text(eaves(walls[leg.wall])) + " m above the base, and the rafters rest at " +
-                              text(p.seat) + " m; a gable begins at that height");
-  const double u = dot(leg.at(0.5 * leg.length(), 0.0) - bay.from, bay.across);
-  if (u + leg.half < bay.low - kPlanTolerance || u - leg.half > bay.high + kPlanTolerance)
-    throw InputError(key, "the " + leg.tag + " does not stand under the roof");
-  const auto place = [&](double y) { return dot(laid.in_case({u - bay.low, y, 0.0}) - f.from, f.along); };
-  geometry::Polygon top{{place(0.0), p.seat}, {place(p.ridge), p.underside(p.ridge)}, {place(p.across()), p.seat}};
-  if (top.front().s > top.back().s) std::ranges::reverse(top);
-  const Station *first = leg.end(LegEnd::low), *last = leg.end(LegEnd::high);
-  if (top.front().s < (first == nullptr ? 0.0 : first->low.at) - kPlanTolerance ||
-      top.back().s > (last == nullptr ? leg.length() : last->high.at) + kPlanTolerance)
-    throw InputError(key, "the " + leg.tag + " does not reach from the " + plan.legs[bay.faces[0].leg].tag + " to the " +
-                              plan.legs[bay.faces[1].leg].tag + "; a gable does");
-  top.insert(top.begin(), {-kFar, p.seat}), top.push_back({kFar, p.seat});
-  raise(walls[leg.wall], top, key, leg);
-}
+/// The underside of the rafters, from wall to wall.
+geometry::Polygon underside_of(const RafterProfile& p) { return {{0.0, p.seat}, {p.ridge, p.underside(p.ridge)}, {p.across(), p.seat}}; }
 
 std::string surcharged_name(const WallRoof& roof) {
   return roof.material + " of roof " + roof.name + " with " + text(roof.rafters.surcharge) + " kg/m2";
@@ -136,10 +73,15 @@ void plan_wall_roofs(const std::vector<WallSpec>& walls, const std::vector<WallR
     const bool lies = faults.attempt([&] {
       plan.roofs[i] = find_bay(walls, plan, {"roof", i}, roofs[i].walls, std::nullopt, roofs[i].corners);
       if (roofs[i].corners.empty()) reach_to_ends(plan, plan.roofs[i]);
-      check_sides(walls, plan, i);
+      check_level_pair(walls, plan, {"roof", i}, plan.roofs[i],
+                       {"a ridge lies midway between two that are", "rafters of a pair rest at one height"});
       LaidRoof(walls, plan, roofs[i], i);
     });
-    for (std::size_t g = 0; lies && g < roofs[i].gables.size(); ++g) faults.attempt([&] { add_gable(walls, roofs[i], i, g, plan); });
+    for (std::size_t g = 0; lies && g < roofs[i].gables.size(); ++g)
+      faults.attempt([&] {
+        const LaidRoof laid(walls, plan, roofs[i], i);
+        raise_to(walls, roofs[i].gables[g], indexed_key(roof_key(i, "gables"), g, ""), laid.axes(), underside_of(laid.profile()), plan);
+      });
   }
   faults.raise();
 }
@@ -154,7 +96,7 @@ std::vector<NamedMaterial> loaded_roof_materials(const std::vector<WallSpec>& wa
     const std::int32_t bare = find_material(materials, roofs[i].material, roof_key(i, "material"));
     const LaidRoof laid(walls, plan, roofs[i], i);
     all.push_back({surcharged_name(roofs[i]), nth(materials, bare).value, bare});
-    all.back().value.density += rafter_surcharge(laid.profile(), roofs[i].rafters, laid.length());
+    all.back().value.density += rafter_surcharge(laid.profile(), roofs[i].rafters, laid.axes().length());
   }
   return all;
 }
@@ -170,8 +112,8 @@ void add_rafters(const std::vector<WallSpec>& walls, const WallsPlan& plan, cons
     block.span = static_cast<std::int32_t>(i);
     block.material = roof.rafters.surcharge > 0.0 ? find_material(materials, surcharged_name(roof), roof_key(i, "surcharge"))
                                                   : find_material(materials, roof.material, roof_key(i, "material"));
-    block.segment_size = segment_size_of(ticks(roof.rafters.beam[0]), ticks(roof.rafters.beam[1]),
-                                         std::min(ticks(roof.rafters.element), ticks(p.upper)));
+    block.segment_size =
+        segment_size_of(ticks(roof.rafters.beam[0]), ticks(roof.rafters.beam[1]), std::min(ticks(roof.rafters.element), ticks(p.upper)));
     for (RafterElement& e : laid.elements()) {
       block.tag = roof.name + " rafter " + std::to_string(e.rafter);
       block.member = members + e.rafter;
@@ -192,7 +134,7 @@ std::vector<PlannedTie> wall_roof_ties(const std::vector<WallSpec>& walls, const
     int number = 0;
     for (const auto& [from, to] : rafter_tie_ends(laid.profile())) {
       Tie tie = *roofs[i].rafters.tie;
-      tie.from = laid.in_case(from) + Vec3{0, 0, foot}, tie.to = laid.in_case(to) + Vec3{0, 0, foot};
+      tie.from = laid.axes().in_case(from) + Vec3{0, 0, foot}, tie.to = laid.axes().in_case(to) + Vec3{0, 0, foot};
       tie.name = roofs[i].name + " tie " + std::to_string(++number);
       all.push_back({tie, i});
     }
@@ -200,12 +142,12 @@ std::vector<PlannedTie> wall_roof_ties(const std::vector<WallSpec>& walls, const
   return all;
 }
 
-PlannedDeck wall_roof_deck(const std::vector<WallSpec>& walls, const WallsPlan& plan, const std::vector<WallRoof>& roofs,
-                           std::size_t index, double foot) {
+PlannedDeck wall_roof_deck(const std::vector<WallSpec>& walls, const WallsPlan& plan, const std::vector<WallRoof>& roofs, std::size_t index,
+                           double foot) {
   const LaidRoof laid(walls, plan, roofs[index], index);
   PlannedDeck deck = rafter_deck(laid.profile(), *roofs[index].rafters.deck, roof_key(index, "deck"));
   for (DeckBar& bar : deck.bars) {
-    for (Vec3& end : bar.ends) end = laid.in_case(end) + Vec3{0, 0, foot};
+    for (Vec3& end : bar.ends) end = laid.axes().in_case(end) + Vec3{0, 0, foot};
   }
   return deck;
 }

@@ -30,7 +30,7 @@ std::vector<PlannedTie> wall_roof_ties(const std::vector<WallSpec>& walls, const
                                        double foot);
 
 /// The boards of a roof. \throw InputError if they span no rafters
-PlannedDeck wall_roof_deck(const std::vector<WallSpec>& walls, const WallsPlan& plan, const std::vector<WallRoof>& roofs,
-                           std::size_t index, double foot);
+PlannedDeck wall_roof_deck(const std::vector<WallSpec>& walls, const WallsPlan& plan, const std::vector<WallRoof>& roofs, std::size_t index,
+                           double foot);
 
 }  // namespace voussoir::cases

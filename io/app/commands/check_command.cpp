@@ -105,7 +105,7 @@ void print_adapted_bricks(const cases::Case& c, const char* title) {
   const auto range = [](double low, double high) {
     return cases::text(std::round(low * 1e4) * 1e-4) + (high - low < 5e-5 ? "" : " to " + cases::text(std::round(high * 1e4) * 1e-4));
   };
-  for (const cases::AdaptedBricks& w : cases::adapted_bricks(c.walls, c.floors, c.roofs)) {
+  for (const cases::AdaptedBricks& w : cases::adapted_bricks(c.walls, cases::spans_of(c))) {
     std::printf("%s%-24s %s wall: whole ones %s m long, %s m wide, %s m high\n", *title == '\0' ? "" : "\n", title, w.name.c_str(),
                 range(w.shortest, w.longest).c_str(), range(w.width, w.width).c_str(), range(w.lowest, w.highest).c_str());
     title = "";

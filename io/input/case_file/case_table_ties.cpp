@@ -218,7 +218,8 @@ void add_span_keys(std::vector<Key<S>>& keys, const std::string& what) {
   keys.push_back(value<S>("corners", &S::corners, "m", any().usually(usual::kGround),
                           "four [x, y] in turn: " + what + " lie within this quadrilateral; none: wherever both sides face each other"));
   keys.push_back(required(value<S>("material", &S::material, "", filled(), "of the " + what)));
-  keys.push_back(value<S>("within_member", &S::within_member, "", filled(), "joint law between elements of one of the " + what));
+  if constexpr (requires(S s) { s.within_member; })
+    keys.push_back(value<S>("within_member", &S::within_member, "", filled(), "joint law between elements of one of the " + what));
 }
 
 }  // namespace
@@ -284,6 +285,27 @@ Table<WallRoof> wall_roof_table() {
                           "mass on the upper surface, as of tiles, added to the rafters"));
   keys.push_back(io::table<S>("tie", member(&Roof::tie), roof_tie_table()));
   keys.push_back(io::table<S>("deck", member(&Roof::deck), deck_table()));
+  return table;
+}
+
+Table<WallVault> wall_vault_table() {
+  using S = WallVault;
+  Table<S> table{
+      "a barrel vault on two parallel walls of [[wall]] of the same height, as rings of voussoirs; joints have the laws of [joints]",
+      {},
+      [](const S& s, const RuleCheck& check) {
+        if (!s.corners.empty() && s.corners.size() != 4) check.fault("corners", "are not four");
+      }};
+  add_span_keys(table.keys, "voussoirs");
+  auto& keys = table.keys;
+  keys.push_back(value<S>("gables", &S::gables, "", filled(), "sides, named as those in `walls`, that rise to the vault's soffit"));
+  keys.push_back(value<S>("rise", &S::rise, "m", above(0.0).usually(usual::kHouse),
+                          "of the soffit's crown above the tops of the walls; none: half the span, a half circle"));
+  keys.push_back(value<S>("thickness", &S::thickness, "m", above(0.0).usually(usual::kSection), "of the vault; its feet lie on the walls"));
+  keys.push_back(value<S>("ring", &S::ring, "m", above(0.0).usually(usual::kMember), "length of a ring along the axis"));
+  keys.push_back(value<S>("voussoirs", &S::voussoirs, "", within(3.0, 1000.0), "number in a ring"));
+  keys.push_back(value<S>("surcharge", &S::surcharge, "kg/m2", at_least(0.0).usually(usual::kAreaLoad),
+                          "mass on the outer face, as of a fill, added to the voussoirs"));
   return table;
 }
 

@@ -275,6 +275,7 @@ Table<Case> whole_case() {
            table<S>("wall", &S::walls, wall_table()),
            table<S>("floor", &S::floors, wall_floor_table()),
            table<S>("roof", &S::roofs, wall_roof_table()),
+           table<S>("vault", &S::vaults, wall_vault_table()),
            table<S>("block", &S::blocks, block_table()),
            table<S>("stones", &S::stones, stones_table()),
            table<S>("load", &S::loads, load_table()),

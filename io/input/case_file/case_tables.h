@@ -30,6 +30,7 @@ Table<cases::StonesSpec> stones_table();
 Table<cases::WallSpec> wall_table();
 Table<cases::WallFloor> wall_floor_table();
 Table<cases::WallRoof> wall_roof_table();
+Table<cases::WallVault> wall_vault_table();
 Table<cases::Load> load_table();
 Table<cases::Analysis> analysis_table();
 /// Checks the keys of the case that [analysis] requires.

@@ -1470,6 +1470,39 @@ class Roof(Part):
 
 
 @dataclass(kw_only=True, slots=True)
+class Vault(Part):
+    """[[vault]]: a barrel vault on two parallel walls of [[wall]] of the same height, as rings of voussoirs; joints have the laws of [joints].
+
+    name: a name of its own, for messages and results; not empty; needed
+    walls: the two sides on which voussoirs rest: a wall of one side by its name ("inner"), of several with the number of the side ("outer 2": from
+      its second corner or point on); not empty; needed
+    corners, m: four [x, y] in turn: voussoirs lie within this quadrilateral; none: wherever both sides face each other; usually 0.001 to 9000, at
+      most 1e9 in magnitude
+    material: of the voussoirs; not empty; needed
+    gables: sides, named as those in `walls`, that rise to the vault's soffit; not empty
+    rise, m: of the soffit's crown above the tops of the walls; none: half the span, a half circle; > 0, usually 0.1 to 100, possible 1e-4 to 1e5
+    thickness, m: of the vault; its feet lie on the walls; > 0, usually 0.01 to 2, possible 1e-5 to 2000; default 0.2
+    ring, m: length of a ring along the axis; > 0, usually 0.02 to 30, possible 2e-5 to 30000; default 0.2
+    voussoirs: number in a ring; in [3, 1000]; default 25
+    surcharge, kg/m2: mass on the outer face, as of a fill, added to the voussoirs; >= 0, usually 2 to 700, at most 7e5; default 0.0
+    """
+
+    _table: ClassVar[str] = "vault"
+    _array: ClassVar[bool] = True
+
+    name: str
+    walls: Sequence[str]
+    corners: Sequence[Sequence[float]] | None = None
+    material: str
+    gables: Sequence[str] | None = None
+    rise: float | None = None
+    thickness: float | None = None
+    ring: float | None = None
+    voussoirs: int | None = None
+    surcharge: float | None = None
+
+
+@dataclass(kw_only=True, slots=True)
 class Block(Part):
     """[[block]]: a block by itself: box, vertices, or polygon and extrude.
 
@@ -1669,6 +1702,7 @@ class Case(Part):
     wall: a wall along any line of straight sides, with true dimensions; it is toothed at its corners and into the walls that it meets
     floor: beams between two walls of [[wall]], in pockets or upon them, with or without a deck: a floor, or a flat roof
     roof: pairs of rafters between two parallel walls of [[wall]] of the same height, with gables under them
+    vault: a barrel vault on two parallel walls of [[wall]] of the same height, as rings of voussoirs; joints have the laws of [joints]
     block: a block by itself: box, vertices, or polygon and extrude
     stones: stones out of a file: every closed body in it is one
     load: a force and a moment on a block, constant after the ramp unless they grow
@@ -1698,6 +1732,7 @@ class Case(Part):
     wall: Sequence[Wall] | None = None
     floor: Sequence[Floor] | None = None
     roof: Sequence[Roof] | None = None
+    vault: Sequence[Vault] | None = None
     block: Sequence[Block] | None = None
     stones: Sequence[Stones] | None = None
     load: Sequence[Load] | None = None
@@ -1710,5 +1745,5 @@ __all__ = ["Analysis", "Base", "BasePart", "BasePartMotion", "Block", "BlockMoti
            "HouseLeaves", "HouseLeavesThrough", "HouseMesh", "HouseMeshConnectors", "HouseOpening", "HouseOpeningArch", "HouseOpeningLintel",
            "HousePier", "HouseReinforcement", "HouseRoof", "HouseRoofDeck", "HouseRoofTie", "HouseRubble", "HouseStorey", "HouseTie", "HouseWood",
            "JointLaw", "Joints", "JointsBetween", "Load", "Material", "Motion", "MotionIntensity", "Output", "OutputCut", "OutputHistory", "Roof",
-           "RoofDeck", "RoofTie", "Scatter", "Segments", "Stones", "StonesMotion", "StonesTurn", "Tie", "Time", "Wall", "WallOpening",
+           "RoofDeck", "RoofTie", "Scatter", "Segments", "Stones", "StonesMotion", "StonesTurn", "Tie", "Time", "Vault", "Wall", "WallOpening",
            "WallOpeningArch", "WallOpeningLintel"]

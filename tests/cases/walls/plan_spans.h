@@ -42,6 +42,9 @@ inline cases::Case moved(cases::Case c, double angle, bool mirror) {
   for (cases::WallRoof& r : c.roofs) {
     for (auto& p : r.corners) place(p, 1.0);
   }
+  for (cases::WallVault& v : c.vaults) {
+    for (auto& p : v.corners) place(p, 1.0);
+  }
   return c;
 }
 

@@ -178,6 +178,18 @@ TEST_CASE("case file: every key of floors and roofs between walls is read") {
   CHECK(r.rafters.element == 0.45);
   CHECK(r.rafters.between_beams == "dry");
   CHECK(r.rafters.surcharge == 55.0);
+  REQUIRE(c.vaults.size() == 1);
+  const cases::WallVault& v = c.vaults[0];
+  CHECK(v.name == "nave");
+  CHECK(v.walls == std::vector<std::string>{"street 1", "yard"});
+  CHECK(v.gables == std::vector<std::string>{"street 2"});
+  CHECK(v.corners == corners);
+  CHECK(v.material == "old wood");
+  CHECK(v.rise == 0.9);
+  CHECK(v.thickness == 0.25);
+  CHECK(v.ring == 0.4);
+  CHECK(v.voussoirs == 17);
+  CHECK(v.surcharge == 45.0);
   REQUIRE(r.rafters.tie);
   CHECK(r.rafters.tie->area == 3.0e-4);
   REQUIRE(r.rafters.deck);
