@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
-"""Pitched roofs on rectangles, by polygons: what rafters, surcharge and gables add to a plan."""
+"""Pitched roofs and barrel vaults on rectangles, by polygons: what rafters or rings, surcharge and gables add to a plan."""
 import math
 import random
 from typing import Any
@@ -43,7 +43,39 @@ def add_roof(roof: Table, length: float, width: float, thickness: float, brick: 
     roof["gable"] = slope * (0.5 * width - thickness) ** 2
 
 
+def random_vault(rng: random.Random) -> Table:
+    """Between the first and the third side of a ring; its gables are the other two, or one of them, or none."""
+    return {"vault": True, "gables": rng.choice([[2, 4], [2], [4], []]), "share": rng.choice([1.0, rng.uniform(0.25, 0.95)]), "ring": rng.choice([0.5, 0.8]),
+            "voussoirs": rng.randint(9, 24), "surcharge": rng.choice([0.0, 80.0])}
+
+
+def shoelace(polygon: list[tuple[float, float]]) -> float:
+    return 0.5 * abs(sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(polygon, polygon[1:] + polygon[:1])))
+
+
+def add_vault(vault: Table, length: float, width: float, thickness: float) -> None:
+    """Sets the same of a vault. length: along the axis, outer faces; width: across it, outer faces [m]. thickness: of the walls."""
+    half = 0.5 * width - thickness
+    vault["rise"], vault["thickness"] = round(vault["share"] * half, 3), round(0.8 * thickness, 3)
+    if vault["share"] == 1.0:
+        vault["rise"] = math.floor(1e6 * half) / 1e6
+    centre = (vault["rise"] ** 2 - half**2) / (2.0 * vault["rise"])  # height above the walls
+    radius, n = vault["rise"] - centre, vault["voussoirs"]
+    first = math.atan2(-centre, half)
+    angles = [first + k * (math.pi - 2.0 * first) / n for k in range(n + 1)]
+    inner = [(radius * math.cos(a), centre + radius * math.sin(a)) for a in angles]
+    outer = [((radius + vault["thickness"]) * math.cos(a), centre + (radius + vault["thickness"]) * math.sin(a)) for a in angles]
+    whole = [(outer[0][0], 0.0), *outer, (outer[-1][0], 0.0)]
+    vault["volume"] = length * (shoelace(whole) - shoelace(inner))
+    vault["gable"] = shoelace(inner)
+    vault["load"] = vault["surcharge"] * length * sum(math.dist(a, b) for a, b in zip(outer, outer[1:]))
+
+
 def roof_text(roof: Table) -> str:
+    if "vault" in roof:
+        gables = ", ".join(f'"ring {g}"' for g in roof["gables"])
+        return (f'[[vault]]\nname = "vault"\nwalls = ["ring 1", "ring 3"]\ngables = [{gables}]\nmaterial = "stone"\n' +
+                "".join(f"{key} = {roof[key]}\n" for key in ("rise", "thickness", "ring", "voussoirs", "surcharge")))
     gables = ", ".join(f'"ring {g}"' for g in roof["gables"])
     return (f'[[roof]]\nname = "roof"\nwalls = ["ring 1", "ring 3"]\ngables = [{gables}]\nmaterial = "oak"\nwithin_member = "dry"\nbetween_beams = "dry"\n' +
             "".join(f"{key} = {roof[key]}\n" for key in ("pitch", "beam", "spacing", "element", "surcharge")))
