@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -252,6 +253,43 @@ Mesh without_doubled_faces(const Mesh& m) {
     if (known.insert(std::move(from_least)).second) out.faces.push_back(loop);
   }
   return out;
+}
+
+std::size_t turn_outward(Mesh& m) {
+  struct Side {
+    std::int32_t face;
+    bool forward;  // along the edge from its lower to its higher corner
+  };
+  std::map<Edge, std::vector<Side>> sides;
+  for (std::size_t f = 0; f < m.faces.size(); ++f)
+    for_each_edge(m.faces[f], [&](Edge e) {
+      sides[{std::min(e[0], e[1]), std::max(e[0], e[1])}].push_back({static_cast<std::int32_t>(f), e[0] < e[1]});
+    });
+  if (std::ranges::any_of(sides, [](const auto& s) { return s.second.size() != 2; })) return 0;
+  std::vector<int> turned(m.faces.size(), -1);  // -1: not reached yet
+  for (std::size_t first = 0; first < m.faces.size(); ++first) {
+    if (turned[first] >= 0) continue;
+    std::vector<std::int32_t> front{static_cast<std::int32_t>(first)};
+    turned[first] = 0;
+    while (!front.empty()) {
+      const std::int32_t f = front.back();
+      front.pop_back();
+      for_each_edge(nth(m.faces, f), [&](Edge e) {
+        const std::vector<Side>& pair = sides[{std::min(e[0], e[1]), std::max(e[0], e[1])}];
+        const Side &one = pair[0], &two = pair[1], &other = one.face == f ? two : one;
+        if (nth(turned, other.face) >= 0) return;
+        nth(turned, other.face) = one.forward == two.forward ? 1 - nth(turned, f) : nth(turned, f);
+        front.push_back(other.face);
+      });
+    }
+  }
+  const auto turn = [&](std::size_t f) { std::reverse(m.faces[f].begin() + 1, m.faces[f].end()); };  // from the same corner
+  for (std::size_t f = 0; f < m.faces.size(); ++f)
+    if (turned[f] == 1) turn(f);
+  if (volume(m) < 0.0) {
+    for (std::size_t f = 0; f < m.faces.size(); ++f) turn(f), turned[f] = 1 - turned[f];
+  }
+  return static_cast<std::size_t>(std::ranges::count(turned, 1));
 }
 
 std::optional<std::string> fault_of(const Mesh& m) {

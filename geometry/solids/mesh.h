@@ -43,6 +43,10 @@ Mesh welded(const Mesh& m, double tolerance);
 /// A copy with duplicate faces (equal corners in the same direction of travel) removed but for the first.
 Mesh without_doubled_faces(const Mesh& m);
 
+/// Turns faces round so that neighbours agree and the volume is positive. \return how many were turned. Nothing is turned if the mesh is
+/// open, or if more than two faces meet at an edge: then which side is outside is not known.
+std::size_t turn_outward(Mesh& m);
+
 /// The reason why the mesh bounds no solid, with the place and the remedy: open, faces turned against each other, inside out, no volume.
 /// Nothing if the mesh bounds a solid; then every edge is used once in each direction.
 std::optional<std::string> fault_of(const Mesh& m);

@@ -190,6 +190,7 @@ class Raw {
 void close_up(RawStone& stone) {
   const double size = geometry::diagonal(stone.mesh);
   Mesh joined = geometry::welded(stone.mesh, 1e-7 * size);
+  stone.turned = geometry::turn_outward(joined);
   if (const auto fault = geometry::fault_of(joined)) {
     stone.fault = *fault;
     stone.mesh = std::move(joined);

@@ -16,6 +16,7 @@ struct RawStone {
   geometry::Mesh mesh;  // m, in the axes of the case
   bool support = false;
   std::size_t merged = 0;  // number of faces merged into coplanar ones
+  std::size_t turned = 0;  // number of faces that were drawn inside out
   std::string fault = {};  // why it bounds no solid, with the place and the remedy; the mesh is then as read
 };
 

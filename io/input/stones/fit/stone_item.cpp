@@ -10,6 +10,7 @@ std::string change_of(const StoneItem& item, const geometry::Flattened& done, st
   constexpr double kWarped = 1e-7;  // m: faces warped by less are not worth a word
   std::string text;
   const auto add = [&](const std::string& words) { text += (text.empty() ? "" : ", ") + words; };
+  if (item.raw.turned > 0) add(counted(item.raw.turned, "face") + " drawn inside out turned round");
   if (item.raw.merged > 0) add(counted(item.raw.merged, "face") + " merged into others in the same plane");
   if (item.nearly_flat > 0) add(counted(item.nearly_flat, "face") + " merged into others nearly in the same plane");
   if (item.in_triangles > 0) add(counted(item.in_triangles, "warped face") + " parted into triangles");
