@@ -6,7 +6,7 @@
 usage: scripts/contact_sheet.py DIR... [--times T ...] [--view corner] [--stills FOLDER] [--width 4.5] [--dpi 150] [-o sheet.png]
        [--voussoir PROGRAM]
 DIR is the folder of a run, or a folder with folders of runs in it: scripts/contact_sheet.py results -o all.png shows all of them at four moments.
-Each picture is a still of `voussoir report DIR --stills` (needs Chromium), kept in DIR/stills or in FOLDER; those that are there and not older than
+Each picture is a still of `voussoir report DIR --stills` (plain without Chromium), kept in DIR/stills or in FOLDER; those that are there and not older than
 the run are used as they are. Their titles are cut off: the sheet has its own. Needs what `scripts/setup plots` installs.
 """
 
