@@ -172,8 +172,9 @@ int tell(const LimitQuestion& asked, const LimitCommandOptions& o, const cases::
 void say_of_ties(const cases::Model& model) {
   const auto breaking = std::ranges::count_if(model.ties, [](const cases::TieBar& t) { return std::isfinite(t.breaking); });
   if (breaking > 0)
-    say_warning(std::to_string(breaking) + " ties and bars of meshes break beyond their elongation; limit analysis takes them to yield as far as the "
-                                           "mechanism moves");
+    say_warning(std::to_string(breaking) +
+                " ties and bars of meshes break beyond their elongation; limit analysis takes them to yield as far as the "
+                "mechanism moves");
 }
 
 /// Finds the collapse multiplier of a live load and its mechanism, by limit analysis of dry rigid blocks (solver/limit/limit.h).

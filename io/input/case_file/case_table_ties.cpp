@@ -299,13 +299,15 @@ Table<WallVault> wall_vault_table() {
   add_span_keys(table.keys, "voussoirs");
   auto& keys = table.keys;
   keys.push_back(value<S>("gables", &S::gables, "", filled(), "sides, named as those in `walls`, that rise to the vault's soffit"));
-  keys.push_back(value<S>("rise", &S::rise, "m", above(0.0).usually(usual::kHouse),
-                          "of the soffit's crown above the tops of the walls; none: half the span, a half circle"));
-  keys.push_back(value<S>("thickness", &S::thickness, "m", above(0.0).usually(usual::kSection), "of the vault; its feet lie on the walls"));
-  keys.push_back(value<S>("ring", &S::ring, "m", above(0.0).usually(usual::kMember), "length of a ring along the axis"));
+  keys.push_back(value<S>(
+      "rise", &S::rise, "m", above(0.0).usually(usual::kHouse),
+      "of the soffit's crown above the tops of the walls, from a twentieth to a half of the span; none: half the span, a half circle"));
+  keys.push_back(value<S>("thickness", &S::thickness, "m", above(0.0).usually(usual::kSection),
+                          "of the vault; its feet stand on the walls, which are no thinner than the feet"));
+  keys.push_back(value<S>("ring", &S::ring, "m", above(0.0).usually(usual::kMember), "how wide a ring is along the axis of the vault"));
   keys.push_back(value<S>("voussoirs", &S::voussoirs, "", within(3.0, 1000.0), "number in a ring"));
   keys.push_back(value<S>("surcharge", &S::surcharge, "kg/m2", at_least(0.0).usually(usual::kAreaLoad),
-                          "mass on the outer face, as of a fill, added to the voussoirs"));
+                          "mass on each m2 of the curved outer face, as of a fill, added to the voussoirs"));
   return table;
 }
 

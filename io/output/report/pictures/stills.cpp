@@ -93,7 +93,7 @@ std::unique_ptr<Studio> studio_for(const std::string& html) {
   try {
     return std::make_unique<Studio>(html);
   } catch (const NoBrowser&) {
-    say_note("no Chromium was found: pictures are plain, without title, scale and legend");
+    say_note("no Chromium was found: pictures are plain, with no title, scale or legend");
     return nullptr;
   }
 }

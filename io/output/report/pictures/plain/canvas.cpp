@@ -138,7 +138,8 @@ void Canvas::fill_area(const Area& area, const Rgb& colour, double edges) {
       else if (rest < 0.0)
         right = -1.0;
     }
-    for (int column = static_cast<int>(std::ceil(left - 0.5)); column + 0.5 <= right && column < camera_.width; ++column) {
+    for (int column = static_cast<int>(std::ceil(std::min(left, 1.0 + camera_.width) - 0.5));
+         column + 0.5 <= right && column < camera_.width; ++column) {
       const double x = column + 0.5;
       const auto inverse = static_cast<float>(area.at_x * x + area.at_y * y + area.at_0);
       Rgb shown = colour;
