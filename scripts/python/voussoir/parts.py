@@ -1480,11 +1480,13 @@ class Vault(Part):
       most 1e9 in magnitude
     material: of the voussoirs; not empty; needed
     gables: sides, named as those in `walls`, that rise to the vault's soffit; not empty
-    rise, m: of the soffit's crown above the tops of the walls; none: half the span, a half circle; > 0, usually 0.1 to 100, possible 1e-4 to 1e5
-    thickness, m: of the vault; its feet lie on the walls; > 0, usually 0.01 to 2, possible 1e-5 to 2000; default 0.2
-    ring, m: length of a ring along the axis; > 0, usually 0.02 to 30, possible 2e-5 to 30000; default 0.2
+    rise, m: of the soffit's crown above the tops of the walls, from a twentieth to a half of the span; none: half the span, a half circle; > 0,
+      usually 0.1 to 100, possible 1e-4 to 1e5
+    thickness, m: of the vault; its feet stand on the walls, which are no thinner than the feet; > 0, usually 0.01 to 2, possible 1e-5 to 2000;
+      default 0.2
+    ring, m: how wide a ring is along the axis of the vault; > 0, usually 0.02 to 30, possible 2e-5 to 30000; default 0.2
     voussoirs: number in a ring; in [3, 1000]; default 25
-    surcharge, kg/m2: mass on the outer face, as of a fill, added to the voussoirs; >= 0, usually 2 to 700, at most 7e5; default 0.0
+    surcharge, kg/m2: mass on each m2 of the curved outer face, as of a fill, added to the voussoirs; >= 0, usually 2 to 700, at most 7e5; default 0.0
     """
 
     _table: ClassVar[str] = "vault"
