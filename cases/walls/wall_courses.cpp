@@ -20,6 +20,7 @@ namespace voussoir::cases {
 namespace {
 
 constexpr std::size_t kNoOther = static_cast<std::size_t>(-1);
+constexpr double kBesideStep = 1e-4, kStep = 1e-3;  // m: from where a top is looked at beside a step; least height of one
 
 std::string opening_key(std::size_t wall, std::size_t opening, const char* field) {
   return indexed_key(wall_key(wall, "opening"), opening, field);
@@ -89,6 +90,14 @@ std::vector<Obstacle> obstacles_in(const Leg& leg, const LegHole& hole) {
     all.push_back({other.low, other.high,
                    opening_key(leg.wall, other.opening, kKeys[static_cast<std::size_t>(other.kind)]) + " is from " +
                        length_text(other.low) + " to " + length_text(other.high) + " m"});
+  }
+  for (const Hill& h : leg.hills) {  // the upright side of a parapet or a step
+    for (const double s : {h.from, h.to}) {
+      const double inside = s == h.from ? kBesideStep : -kBesideStep;
+      const double here = leg.lowest_top(s + inside, s + inside), outside = leg.lowest_top(s - inside, s - inside);
+      if (here > outside + kStep && metres(hole.height.high) > outside + kPlanTolerance)
+        all.push_back({s, s, "its top has a step at " + length_text(s) + " m, up from " + length_text(outside) + " m above the base"});
+    }
   }
   if (leg.ring) return all;
   if (leg.end(LegEnd::low) == nullptr) all.push_back({-kFar, 0.0, "it begins"});

@@ -91,7 +91,7 @@ void check_spans(const WallSpec& wall, const WallsPlan& plan, const Leg& leg, co
     faults.add({key, "leaves a piece of the " + leg.tag + " between " + cause(plan, leg, s.low) + " and " + cause(plan, leg, s.high) + " " +
                          (side > 0.0 ? text(std::round(side * 1e4) * 1e-4) + " m long" : "whose faces cross") + "; at least " +
                          text(least) + " m, a fifth of a brick" +
-                         (floor == kNobody ? "" : "; beams in one brick lie as far apart, or exactly opposite each other")});
+                         (floor == kNobody ? "" : "; beams of two floors lie opposite each other, or as far apart")});
   }
 }
 
@@ -155,7 +155,7 @@ void check_each_other(const std::vector<FilledPlace>& beams, double least, const
     const auto at = [](double s) { return text(std::round(s * 1e4) * 1e-4); };
     if (b.crossed)
       return faults.add(
-          {indexed_key("floor", later, "corners"), "puts beams into those from " + at(b.low.at) + " to " + at(b.high.at) + place});
+          {indexed_key("floor", later, "corners"), "puts beams across those from " + at(b.low.at) + " to " + at(b.high.at) + place});
     if (b.high.at - b.low.at < least - kPlanTolerance)
       return faults.add({indexed_key("floor", later, "spacing"), "puts beams beside those at " + at(b.low.at) + place + ", with " +
                                                                      at(b.high.at - b.low.at) +

@@ -65,7 +65,12 @@ def text(value: str) -> str:
 
 def number(x: float) -> str:
     """Metres, to the tenth of a millimetre."""
-    return f"{round(x, 4) + 0.0:g}" if abs(x) < 1e5 else f"{round(x, 4)}"
+    return f"{round(x, 4) + 0.0:.4f}".rstrip("0").rstrip(".")
+
+
+def comment(words: str) -> str:
+    """A name of a drawing as a part of one line."""
+    return " ".join("".join(c if c.isprintable() else " " for c in words).split())[:300]
 
 
 def point(p: tuple[float, float]) -> str:
@@ -79,7 +84,7 @@ class Bricks:
 
 
 def opening_text(o: Opening) -> str:
-    rows = [f"\n[[wall.opening]]{'                  # ' + o.name if o.name else ''}", f"from   = {number(o.start)}", f"width  = {number(o.width)}"]
+    rows = [f"\n[[wall.opening]]{'                  # ' + comment(o.name) if o.name else ''}", f"from   = {number(o.start)}", f"width  = {number(o.width)}"]
     if o.sill > 1e-4:
         rows.append(f"sill   = {number(o.sill)}")
     rows.append(f"height = {number(o.height)}")
@@ -90,7 +95,7 @@ def opening_text(o: Opening) -> str:
 
 def wall_text(w: Wall, bricks: Bricks, ground: float) -> str:
     layers = ", ".join(f"{x['name']} {x['thickness']:.3f} m" if x["thickness"] else x["name"] for x in w.layers if x["name"])
-    rows = ["\n[[wall]]" + (f"                          # {w.storey}{'; ' if w.storey and layers else ''}{layers}" if w.storey or layers else ""),
+    rows = ["\n[[wall]]" + (f"                          # {comment(w.storey + ('; ' if w.storey and layers else '') + layers)}" if w.storey or layers else ""),
             f"name      = {text(w.name)}", f"points    = [{point(w.points[0])}, {point(w.points[1])}]   # m", f"thickness = {number(w.thickness)}"]
     if w.base > ground + 1e-6:
         rows.append(f"base      = {number(w.base - ground)}")
@@ -112,9 +117,9 @@ def floor_text(f: Floor, ground: float) -> str:
 
 
 def case_text(plan: Plan, source: str, title: str, bricks: Bricks, density: float = 1800.0) -> str:
-    out = HEAD.format(source=source, title=text(title), density=density, ground=number(plan.ground))
+    out = HEAD.format(source=comment(source), title=text(title), density=density, ground=number(plan.ground))
     out += "".join(wall_text(w, bricks, plan.ground) for w in plan.walls) + "".join(floor_text(f, plan.ground) for f in plan.floors)
     for head, lines in (("Changed", plan.changed), ("Not in this case", plan.left_out_lines())):
         if lines:
-            out += f"\n# {head}:\n" + "".join(f"# - {line}\n" for line in lines)
+            out += f"\n# {head}:\n" + "".join(f"# - {comment(line)}\n" for line in lines)
     return out

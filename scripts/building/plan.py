@@ -39,6 +39,7 @@ class Opening:
     height: float
     name: str = ""
     lintel: float = 0.0  # its height; 0: none
+    narrowed: float = 0.0  # by so much, in all
 
     @property
     def head(self) -> float:
@@ -126,8 +127,8 @@ class Namer:
     def __init__(self) -> None:
         self.given: set[str] = set()
 
-    def name(self, wanted: str) -> str:
-        base = re.sub(r"[^\w.,()/ +-]", " ", wanted).strip() or "wall"
+    def name(self, wanted: str, otherwise: str = "wall") -> str:
+        base = re.sub(r"[^\w.,()/ +-]", " ", wanted).strip() or otherwise
         name, k = base, 1
         while name in self.given:
             k += 1
@@ -193,15 +194,33 @@ def borne(a: Wall, below: list[Wall]) -> float:
     return inside / count
 
 
+def ground_of(walls: list[Wall]) -> float:
+    """The lowest height at which a sixth of all walls, by length, begins: a garden wall below is not the ground of the building."""
+    whole = sum(w.length for w in walls)
+    levels = sorted(w.base for w in walls)
+    return next((z for z in levels if sum(w.length for w in walls if z - 1e-9 <= w.base <= z + LOW) >= whole / 6.0), levels[0])
+
+
+def take_down(wall: Wall, rise: float, plan: Plan) -> None:
+    """To the ground; its tops and openings stay where they are."""
+    wall.height, wall.base = wall.height + rise, plan.ground
+    wall.tops = [(s, z + rise) for s, z in wall.tops]
+    for o in wall.openings:
+        o.sill += rise
+
+
 def rest_on_each_other(plan: Plan) -> None:
     """Takes walls down to the ground, or those below up to them; what stands on no wall is left out."""
-    plan.ground = min(w.base for w in plan.walls)
+    plan.ground = ground_of(plan.walls)
     kept: list[Wall] = []
     for wall in sorted(plan.walls, key=lambda w: w.base):
         rise = wall.base - plan.ground
         under = [w for w in kept if -TOUCH < wall.base - w.top < SLAB and borne(wall, [w]) > 0.0]
+        if rise < -TOUCH:
+            plan.leave_out(f"wall {wall.name}", f"begins {-rise:.2f} m below the ground on which most walls stand")
+            continue
         if rise <= TOUCH:
-            wall.height, wall.base = wall.height + rise, plan.ground
+            take_down(wall, rise, plan)
         elif borne(wall, under) > BORNE:
             for w in under:
                 gap = wall.base - w.top
@@ -211,10 +230,7 @@ def rest_on_each_other(plan: Plan) -> None:
                     w.height += gap
         elif rise <= LOW:
             plan.changed.append(f"wall {wall.name}: taken down by {rise:.3f} m to the ground")
-            wall.height, wall.base = wall.height + rise, plan.ground
-            wall.tops = [(s, z + rise) for s, z in wall.tops]
-            for o in wall.openings:
-                o.sill += rise
+            take_down(wall, rise, plan)
         else:
             plan.leave_out(f"wall {wall.name}", f"{100 * borne(wall, under):.0f} % of it stand on walls, {rise:.2f} m above the lowest")
             continue
@@ -296,7 +312,9 @@ def lay_courses(plan: Plan) -> None:
     for wall, o in every:
         if has_room(wall, o):
             head = wall.base + o.head
-            top = min((z for z in levels if head + 0.5 * LINTEL <= z <= head + 1.5 * LINTEL), key=lambda z: abs(z - head - LINTEL), default=0.0) or level(head + LINTEL, COURSE)
+            top = min((z for z in levels if head + 0.5 * LINTEL <= z <= head + 1.5 * LINTEL), key=lambda z: abs(z - head - LINTEL), default=None)
+            if top is None:
+                top = level(head + LINTEL, COURSE)
             o.lintel = top - head
     bare = [f"{o.name or 'opening'} of wall {w.name}" for w, o in every if o.lintel == 0.0]
     if bare:
@@ -404,7 +422,7 @@ def plan_of(elements: list[dict], choice: Choice) -> Plan:
     rest_on_each_other(plan)
     meet_in_middle_lines(plan)
     for e in slabs:
-        floor_of(e, namer.name(e["name"]), plan)
+        floor_of(e, namer.name(e["name"], "slab"), plan)
     lay_courses(plan)
     for kind, count in sorted(others.items()):
         plan.leave_out(f"{count} {kind}{'' if count == 1 else 's'}", "not read")

@@ -5,7 +5,7 @@
 import { readFileSync } from "node:fs";
 import * as Ifc from "web-ifc";
 
-/** Elements by their class. What is none of these is counted as "other". */
+/** Elements by their class. Surfaces are those of walls and slabs; of the others there is a name alone. */
 const kClasses = {
   wall: ["IFCWALL", "IFCWALLSTANDARDCASE", "IFCWALLELEMENTEDCASE"], slab: ["IFCSLAB", "IFCSLABSTANDARDCASE", "IFCSLABELEMENTEDCASE"], roof: ["IFCROOF"],
   beam: ["IFCBEAM", "IFCBEAMSTANDARDCASE"], column: ["IFCCOLUMN", "IFCCOLUMNSTANDARDCASE"], member: ["IFCMEMBER", "IFCMEMBERSTANDARDCASE"],
@@ -18,11 +18,12 @@ const number = (value) => (typeof value?.value === "number" ? value.value : 0);
 
 class Reader {
   constructor(api, model) {
-    Object.assign(this, { api, model, storeyOf: new Map(), openingsOf: new Map(), materialOf: new Map() });
+    Object.assign(this, { api, model, storeyOf: new Map(), openingsOf: new Map(), materialOf: new Map(), typeOf: new Map() });
     this.metre = this.#lengthUnit();
     for (const r of this.#all("IFCRELCONTAINEDINSPATIALSTRUCTURE")) for (const e of r.RelatedElements) this.storeyOf.set(e.value, r.RelatingStructure.value);
     for (const r of this.#all("IFCRELAGGREGATES")) for (const e of r.RelatedObjects) if (!this.storeyOf.has(e.value)) this.storeyOf.set(e.value, r.RelatingObject.value);
     for (const r of this.#all("IFCRELVOIDSELEMENT")) this.#push(this.openingsOf, r.RelatingBuildingElement.value, r.RelatedOpeningElement.value);
+    for (const r of this.#all("IFCRELDEFINESBYTYPE")) for (const e of r.RelatedObjects) this.typeOf.set(e.value, r.RelatingType.value);
     for (const r of this.#all("IFCRELASSOCIATESMATERIAL")) for (const e of r.RelatedObjects) this.materialOf.set(e.value, r.RelatingMaterial.value);
   }
   #push(map, key, value) { map.set(key, [...(map.get(key) ?? []), value]); }
@@ -30,10 +31,16 @@ class Reader {
   line(id) { return this.api.GetLine(this.model, id); }
   #all(type) { return this.ids(type).map((id) => this.line(id)); }
 
-  /** Metres in the file's unit of length. */
+  /** Metres in the file's unit of length: that of the unit assignment, as feet are given by a factor of a metric unit. */
   #lengthUnit() {
-    const prefixes = { MILLI: 1e-3, CENTI: 1e-2, DECI: 1e-1, KILO: 1e3 };
-    for (const u of this.#all("IFCSIUNIT")) if (text(u.UnitType) === "LENGTHUNIT") return prefixes[text(u.Prefix)] ?? 1;
+    const prefixes = { MILLI: 1e-3, CENTI: 1e-2, DECI: 1e-1, DECA: 10, HECTO: 100, KILO: 1e3 };
+    for (const assignment of this.#all("IFCUNITASSIGNMENT"))
+      for (const unit of assignment.Units.map((u) => this.line(u.value))) {
+        if (text(unit.UnitType) !== "LENGTHUNIT") continue;
+        if (!unit.ConversionFactor) return prefixes[text(unit.Prefix)] ?? 1;
+        const factor = this.line(unit.ConversionFactor.value), base = this.line(factor.UnitComponent.value);
+        return number(factor.ValueComponent) * (prefixes[text(base.Prefix)] ?? 1);
+      }
     return 1;
   }
 
@@ -73,8 +80,7 @@ class Reader {
   layers(id) {
     const rows = this.#layersOf(this.materialOf.get(id));
     if (rows.length > 0) return rows;
-    const type = this.#all("IFCRELDEFINESBYTYPE").find((r) => r.RelatedObjects.some((e) => e.value === id));
-    return type ? this.#layersOf(this.materialOf.get(type.RelatingType.value)) : [];
+    return this.#layersOf(this.materialOf.get(this.typeOf.get(id)));
   }
   #layersOf(id) {
     if (id === undefined) return [];
@@ -86,7 +92,9 @@ class Reader {
   }
 
   element(id, kind) {
-    const line = this.line(id), openings = (this.openingsOf.get(id) ?? []).map((o) => ({ name: text(this.line(o).Name), ...this.surface(o) }));
+    const line = this.line(id);
+    if (kind !== "wall" && kind !== "slab") return { id: text(line.GlobalId), kind, type: "", name: text(line.Name), storey: this.storey(id), layers: [], openings: [], corners: [], triangles: [] };
+    const openings = (this.openingsOf.get(id) ?? []).map((o) => ({ name: text(this.line(o).Name), ...this.surface(o) }));
     return { id: text(line.GlobalId), kind, type: text(line.PredefinedType), name: text(line.Name), storey: this.storey(id), layers: this.layers(id), openings, ...this.surface(id) };
   }
 }
@@ -95,7 +103,9 @@ async function main(file) {
   const api = new Ifc.IfcAPI();
   await api.Init();
   api.SetLogLevel(Ifc.LogLevel.LOG_LEVEL_OFF);
-  const model = api.OpenModel(new Uint8Array(readFileSync(file)), { COORDINATE_TO_ORIGIN: false });
+  const bytes = readFileSync(file);
+  if (!bytes.subarray(-2000).includes("END-ISO-10303-21")) throw new Error("it does not end as an IFC file does; it may be cut off");
+  const model = api.OpenModel(new Uint8Array(bytes), { COORDINATE_TO_ORIGIN: false });
   if (model < 0 || api.GetModelSchema(model) === "") throw new Error(`${file} is no IFC file that can be read`);
   const reader = new Reader(api, model);
   const elements = Object.entries(kClasses).flatMap(([kind, types]) => types.flatMap((type) => reader.ids(type)).map((id) => reader.element(id, kind)));

@@ -3,6 +3,7 @@
 """Surfaces of triangles seen as walls are: along a line in plan, and upwards. Lengths in metres."""
 from __future__ import annotations
 
+import bisect
 import dataclasses
 import math
 
@@ -107,16 +108,25 @@ def rectangle(points: list[Point]) -> Rectangle | None:
     return best if best and best.width > 1e-6 else None
 
 
-def top_at(surface: Surface, r: Rectangle, s: float) -> float:
-    """Height of the surface's top where it is cut square to the rectangle's longer side."""
-    places = [(r.place((x, y))[0], z) for x, y, z in surface.corners]
-    top = -math.inf
-    for triangle in surface.triangles:
-        for i, j in ((0, 1), (1, 2), (2, 0)):
-            (a, za), (b, zb) = places[triangle[i]], places[triangle[j]]
-            if min(a, b) <= s <= max(a, b):
-                top = max(top, za, zb) if a == b else max(top, za + (zb - za) * (s - a) / (b - a))
-    return top
+class Section:
+    """Where a surface is cut square to the longer side of a rectangle."""
+
+    def __init__(self, surface: Surface, r: Rectangle) -> None:
+        places = [(r.place((x, y))[0], z) for x, y, z in surface.corners]
+        edges = {tuple(sorted((places[t[i]], places[t[j]]))) for t in surface.triangles for i, j in ((0, 1), (1, 2), (2, 0))}
+        self.edges = sorted(edges)
+        self.longest = max((b - a for (a, _), (b, _) in self.edges), default=0.0)
+
+    def top(self, s: float) -> float:
+        """Height of the top there."""
+        found = -math.inf
+        first = bisect.bisect_left(self.edges, ((s - self.longest - 1e-9, -math.inf),))
+        for (a, za), (b, zb) in self.edges[first:]:
+            if a > s:
+                break
+            if b >= s:
+                found = max(found, za, zb) if a == b else max(found, za + (zb - za) * (s - a) / (b - a))
+        return found
 
 
 def simplified(line: list[Point], within: float) -> list[Point]:
@@ -139,10 +149,11 @@ def top_line(surface: Surface, r: Rectangle, gaps: list[tuple[float, float]]) ->
     """
     half, near = 0.5 * r.length, 1e-4
     end = half - (r.width if r.length > 3.0 * r.width else near)
-    corners = {s for s in (r.place((x, y))[0] for x, y, _ in surface.corners) if abs(s) < end - near}
+    section = Section(surface, r)
+    corners = {s for s in (round(r.place((x, y))[0], 4) for x, y, _ in surface.corners) if abs(s) < end - near}
     places = sorted({-end, end} | {s + d for s in corners for d in (-near, near)})
     places = [s for s in places if not any(a - near < s < b + near for a, b in gaps)]
-    line = simplified([(s + half, top_at(surface, r, s)) for s in places], 0.01)
+    line = simplified([(s + half, section.top(s)) for s in places], 0.01)
     if len(line) < 2:
         return [(0.0, z) for _, z in line]
     (a, za), (b, zb) = line[0], line[1]

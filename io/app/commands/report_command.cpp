@@ -109,7 +109,7 @@ Command add_report(CLI::App& program) {
   words->add_flag("--paraview", o->paraview, "write DIR/run.xdmf and DIR/paraview.h5 for ParaView instead of the page");
   words->add_option("--stills", o->times,
                     "pictures at these times, s, instead of the page: T,T,... or T T ...; by Chromium, or plain without it");
-  words->add_flag("--plain", o->plain, "pictures without Chromium, which have no title, scale or legend");
+  words->add_flag("--plain", o->plain, "pictures without Chromium, which have no title, scale, legend or ties");
   words->add_option("--film", o->film.file, "a film instead of the page: FILE.mp4, .webm or .gif; needs Chromium and ffmpeg");
   words->add_option("--speed", o->film.speed, "of the film: 0.25 is four times slower than it was (default: 1)")
       ->check(number_range(0.001, 100.0));

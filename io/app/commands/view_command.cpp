@@ -158,7 +158,7 @@ Command add_view(CLI::App& program) {
   words->add_option("--view", w->o.view, "of the picture: " + view_names() + " (default: corner)")
       ->check(CLI::IsMember(kViews))
       ->needs(still);
-  words->add_flag("--plain", w->o.plain, "a picture without Chromium, which has no title, scale or legend")->needs(still);
+  words->add_flag("--plain", w->o.plain, "a picture without Chromium, which has no title, scale, legend or ties")->needs(still);
   words->add_flag("--overwrite", w->o.overwrite, "replace an existing page or picture");
   words->footer("example: voussoir view my-vault.toml\n         voussoir view my-vault.toml --still my-vault.png --view front");
   return {.words = words,

@@ -17,7 +17,7 @@ struct ViewOptions {
 };
 
 /// `voussoir view`: one HTML page of the model before any run, or a picture of it: stones by material, joints by law, supports, a section.
-/// A refused model is shown without joints, elements at fault in red, stones that are open, inside out, warped, ... by their surfaces.
+/// A refused model is shown without joints, elements at fault in red, stones that are open, warped, ... by their surfaces.
 /// Reads the stones of the case if necessary. \throw FileError, cases::InputError of a case whose elements cannot be shown
 int view_command(const LoadedCase& c, const ViewOptions& o, int threads = 1);
 

@@ -17,7 +17,7 @@ struct RawStone {
   bool support = false;
   std::size_t merged = 0;  // number of faces merged into coplanar ones
   std::size_t turned = 0;  // number of faces that were drawn inside out
-  std::string fault = {};  // why it bounds no solid, with the place and the remedy; the mesh is then as read
+  std::string fault = {};  // why it bounds no solid, with the place and the remedy; the mesh is then as read, its faces turned outward where that is known
 };
 
 /// Messages about a file as a whole, to which readers add lines.

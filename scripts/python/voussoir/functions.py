@@ -40,7 +40,7 @@ def check(case: "Model | Case | Path", *, draw: Path | None = None, overwrite: b
 
 def view(case: "Model | Case | Path", path: Path, *, view: str = "corner", overwrite: bool = False) -> pathlib.Path:
     """Writes one HTML page of the model, before any run; for a .png path a picture from the side `view`
-    (by Chromium; without it plain, with no title, scale and legend).
+    (by Chromium; without it plain, with no title, scale, legend or ties).
 
     Returns the whole path. A refused model is shown with its faults in red, and raises.
     """

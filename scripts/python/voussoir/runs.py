@@ -44,7 +44,7 @@ class Run(Results):
         return pathlib.Path(output) if output else self.folder / ("comparison.html" if other else "report.html")
 
     def stills(self, times: Sequence[float], *, views: Sequence[str] = ("corner",), overwrite: bool = False) -> pathlib.Path:
-        """Writes pictures at these times, s (by Chromium; without it plain, with no title, scale and legend). Returns their folder."""
+        """Writes pictures at these times, s (by Chromium; without it plain, with no title, scale, legend or ties). Returns their folder."""
         words: list[Any] = ["report", self.folder, "--stills", ",".join(f"{t:g}" for t in times), "--view", ",".join(views)]
         commands.call(*words, *(["--overwrite"] if overwrite else []))
         return self.folder / "stills"

@@ -154,7 +154,7 @@ TEST_CASE("beams of two floors end in one wall side by side, or partly opposite 
   Case c = room();
   c.floors.push_back(c.floors[0]);
   c.floors[1].name = "again";
-  check_refused(c, std::function<void(Case&)>([](Case&) {}), "floor[1].corners", "puts beams into those from ");
+  check_refused(c, std::function<void(Case&)>([](Case&) {}), "floor[1].corners", "puts beams across those from ");
 }
 
 TEST_CASE("a plan that is turned, mirrored or given with its walls in another order has the same floor") {

@@ -94,6 +94,24 @@ TEST_CASE("openings in gables, with lintels or without: the volume, no sliver, o
   CHECK(refused >= 30);
 }
 
+TEST_CASE("an opening keeps a fifth of a brick off the step of a parapet") {
+  WallSpec w = wall("w", {{0.0, 0.0}, {6.0, 0.0}}, 0.4, 1.2);
+  w.tops = {{2.0, 1.2}, {2.0, 2.6}, {5.0, 2.6}, {5.0, 1.2}};
+  const double whole = 0.4 * (6.0 * 1.2 + 3.0 * 1.4);
+  for (const double from : {2.0, 2.01, 2.07, 4.15, 4.2}) {
+    CAPTURE(from);
+    w.openings = {{from, 0.8, 1.2, 1.0, {}, {}}};
+    check_refused(case_of({w}), std::function<void(Case&)>([](Case&) {}), "wall[0].opening[0].from", "its top has a step at ");
+  }
+  for (const double from : {2.1, 3.0, 4.1}) {
+    CAPTURE(from);
+    w.openings = {{from, 0.8, 1.2, 1.0, {}, {}}};
+    check_risen(case_of({w}), whole - 0.4 * 0.8);
+  }
+  w.openings = {{1.8, 0.8, 0.2, 0.6, {}, {}}};  // below the step
+  check_risen(case_of({w}), whole - 0.4 * 0.48);
+}
+
 TEST_CASE("gables round a plan, and a parapet round corners") {
   WallSpec w = closed(wall("w", {{0.0, 0.0}, {5.0, 0.0}, {5.0, 4.0}, {0.0, 4.0}}, 0.4, 1.6));
   w.line = WallLine::right;

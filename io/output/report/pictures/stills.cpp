@@ -51,6 +51,7 @@ std::vector<ShownStill> planned(const StillsOptions& o) {
   for (const std::string& view : o.views)
     for (const double t : o.times) {
       const std::string file = o.folder + "/" + view + "-" + cases::text(t) + "s.png";
+      if (std::ranges::any_of(all, [&](const ShownStill& s) { return s.output.path == file; })) continue;  // asked for twice
       all.push_back({view, {file, FileKind::picture, "--stills", o.overwrite}, t});
       refuse_to_replace(all.back().output);
     }
@@ -93,7 +94,7 @@ std::unique_ptr<Studio> studio_for(const std::string& html) {
   try {
     return std::make_unique<Studio>(html);
   } catch (const NoBrowser&) {
-    say_note("no Chromium was found: pictures are plain, with no title, scale or legend");
+    say_note("no Chromium was found: pictures are plain, with no title, scale, legend or ties");
     return nullptr;
   }
 }

@@ -260,6 +260,7 @@ TEST_CASE("what people look at: written at the end of a run if asked for, or lat
   CHECK(voussoir("report " + out + " --stills 0.0149 --view top --plain").code == 3);  // it is there
   CHECK(says(voussoir("report " + out + " --stills 0.0149 --view top --plain --overwrite"), {"/stills/top-0.0149s.png"}));
   CHECK(shell::text_of(out + "/stills/top-0.0149s.png") == plain);
+  CHECK(voussoir("report " + out + " --stills 0.01,0.01 --plain -o " + out + "/twice").code == 0);
   CHECK(says(voussoir("report " + out + " --plain"), {"--plain", "needs --stills"}));
   CHECK(says(voussoir("report " + out + " " + out + " --plain --stills 0"), {"--plain", "one run"}));
   CHECK(says(voussoir("report " + out + " --stills 0.005 0.01, 9"), {"--stills", "9 s"}));  // commas and spaces

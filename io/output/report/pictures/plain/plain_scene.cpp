@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr std::uint8_t kApart = 10;  // level of a crack whose bricks are apart: their faces show, and no line joins them
-constexpr double kLifted = 0.03;     // m that crack lines are nearer than the faces on which they lie
+constexpr double kLifted = 0.03;     // m that crack lines are nearer than the faces on which they lie, in a model of metres
 
 // Colours of the page (scripts/report/src/colours.js, house.js).
 constexpr Rgb rgb(std::uint32_t hex) { return {(hex >> 16U) / 255.0, ((hex >> 8U) & 255U) / 255.0, (hex & 255U) / 255.0}; }
@@ -153,12 +153,16 @@ std::vector<Vec3> PlainScene::in_view(const std::vector<Pose>& poses) const {
   return points;
 }
 
-/// The ground, which fades into the sky, with a grid of metres and the shadows of all elements.
+/// The ground, which fades into the sky, with a grid of metres (of tens or tenths, by the size of the model) and the shadows of all
+/// elements.
 void PlainScene::draw_ground(Canvas& canvas, const std::vector<Pose>& poses) const {
   if (!base_) return canvas.fill(kSky);
   const double z = *base_, size = norm(high_ - low_);
   const Vec3 middle = 0.5 * (low_ + high_);
-  const int half = static_cast<int>(std::clamp(std::ceil(2.0 * size), 12.0, 1000.0));
+  double step = 1.0;  // m, between lines of the grid: not too many of them, nor none
+  while (size > 60.0 * step) step *= 10.0;
+  while (size < 0.3 * step) step *= 0.1;
+  const double half = std::clamp(std::ceil(2.0 * size / step), 12.0, 120.0) * step, above = std::min(0.002, 1e-3 * size);
   canvas.ground(z, kSky, [&](double x, double y) {
     const double far = std::hypot(x - middle.x, y - middle.y) / (4.0 * half);
     return mixed(kGround, kSky, smooth(0.25, 1.0, far));
@@ -167,11 +171,13 @@ void PlainScene::draw_ground(Canvas& canvas, const std::vector<Pose>& poses) con
     const Vec3 n = nth(poses, face.element).rotation * face.normal;
     if (!(dot(n, {-0.25, -0.5, 1.0}) > 0.0)) continue;  // those in the light cast all of the shadow
     std::vector<Vec3> corners = placed(face, poses);
-    for (Vec3& p : corners) p = {p.x + 0.25 * (p.z - z), p.y + 0.5 * (p.z - z), z + 0.002};
+    for (Vec3& p : corners) p = {p.x + 0.25 * (p.z - z), p.y + 0.5 * (p.z - z), z + above};
     canvas.polygon(corners, std::nullopt, kShadow, 0.0);
   }
-  const double x = std::round(middle.x), y = std::round(middle.y), height = z + 0.004;
-  for (int i = -half; i <= half; ++i) {
+  const double x = step * std::round(middle.x / step), y = step * std::round(middle.y / step), height = z + 2.0 * above;
+  const int lines = static_cast<int>(std::lround(half / step));
+  for (int k = -lines; k <= lines; ++k) {
+    const double i = step * k;
     canvas.line({x - half, y + i, height}, {x + half, y + i, height}, 1.0, kGrid, 0.28, 0.0);
     canvas.line({x + i, y - half, height}, {x + i, y + half, height}, 1.0, kGrid, 0.28, 0.0);
   }
@@ -180,6 +186,7 @@ void PlainScene::draw_ground(Canvas& canvas, const std::vector<Pose>& poses) con
 /// Open joints as lines along their edges, halfway between their two bricks.
 void PlainScene::draw_cracks(Canvas& canvas, const std::vector<Pose>& poses, std::size_t frame) const {
   const std::size_t joints = cracks_.edges.size();
+  const double lifted = std::min(kLifted, 0.01 * norm(high_ - low_));
   const auto point = [&](std::size_t end, std::int32_t element) {
     const Vec3 p{cracks_.ends[3 * end], cracks_.ends[3 * end + 1], cracks_.ends[3 * end + 2]};
     return element < 0 ? p : nth(poses, element).point(p - vector_at(frames_.start(), static_cast<std::size_t>(element)));
@@ -195,7 +202,7 @@ void PlainScene::draw_cracks(Canvas& canvas, const std::vector<Pose>& poses, std
     for (std::size_t k = 0; k < cracks_.edges[j]; ++k, end += 2) {
       if (look == nullptr) continue;
       canvas.line(0.5 * (point(end, a) + point(end, b)), 0.5 * (point(end + 1, a) + point(end + 1, b)), look->pixels, kRed, look->strength,
-                  kLifted);
+                  lifted);
     }
   }
 }

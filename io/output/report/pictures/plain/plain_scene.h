@@ -18,7 +18,7 @@
 namespace voussoir::io {
 
 /// A run, or a model that has not been run, as the program itself draws it: elements by material, open joints and broken faces in red,
-/// shadows on the ground with a grid of metres. Words, scale and legend are those of the page alone.
+/// shadows on the ground with a grid of metres. Words, scale, legend and ties are those of the page alone.
 class PlainScene {
  public:
   /// \param run  a run.h5, which must outlive the scene; without frames: of a model \param faults  elements in red \throw FileError

@@ -132,6 +132,19 @@ TEST_CASE("A polygon covers what perspective gives it, turned to the camera alon
   CHECK(sum(canvas.image(), 0) == 0.0);
 }
 
+TEST_CASE("A polygon with edges that are level but for round-off covers what it should, and nothing beside it") {
+  for (const double lean : {0.0, 1e-17, 1e-16, 1e-15, 1e-13, 1e-11, 1e-9})
+    for (const double sign : {-1.0, 1.0}) {
+      Canvas canvas(in_front());
+      canvas.fill(kBlack);
+      const std::vector<Vec3> corners{{-1, 0, -1}, {1, 0, -1 + sign * lean}, {1, 0, 1}, {-1, 0, 1 + sign * lean}};
+      canvas.polygon(corners, std::nullopt, kWhite, 0.2);
+      canvas.polygon(std::vector<Vec3>{{-300, 5, 40}, {300, 5, 40 + sign * lean}, {300, 5, 41}}, std::nullopt, kWhite,
+                     0.0);  // above the picture
+      CHECK(sum(canvas.image(), 0) == doctest::Approx(1600.0).epsilon(0.03));
+    }
+}
+
 TEST_CASE("The nearest polygon is seen, in whatever order they are drawn") {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> at(-3.0, 3.0), colour(0.0, 1.0);
