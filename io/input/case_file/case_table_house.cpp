@@ -297,9 +297,9 @@ Table<WallSpec> wall_table() {
                          "corner if the other ends there too; a wall that reaches through another one crosses it. Angles of corners and "
                          "junctions: 30 to 150 degrees; where it turns by less than 30, it bends")),
        value<S>("closed", &S::closed, "", any(), "whether the last point is joined to the first"),
-       choice<S, WallLine S::*, WallLine>("line", &S::line, "",
-                                          {{"left", WallLine::left}, {"middle", WallLine::middle}, {"right", WallLine::right}},
-                                          "what the points are of: the middle of the wall, or its left or right face, seen along it"),
+       choice<S, WallLine S::*, WallLine>(
+           "line", &S::line, "", {{"left", WallLine::left}, {"middle", WallLine::middle}, {"right", WallLine::right}},
+           "what the points are of: the middle of the wall (always if it bends), or its left or right face, seen along it"),
        required(value<S>("thickness", &S::thickness, "m", above(0.0).usually(usual::kThickness), "thickness")),
        value<S>("base", &S::base, "m", at_least(0.0).usually(usual::kLevel),
                 "height of its foot above base.z: that of a part of the base, or the top of the wall that it stands on"),
@@ -317,7 +317,8 @@ Table<WallSpec> wall_table() {
            "meeting", &S::meeting, "", {{"toothed", WallMeeting::toothed}, {"butt", WallMeeting::butt}},
            "where it meets walls before it in the case. toothed: either runs through in every second course; butt: the other does in all, "
            "as at an extension. Corners of one wall are toothed"),
-       value<S>("load", &S::load, "kg/m", at_least(0.0), "mass per length on its top (floor, roof), added to the bricks of the course that ends at `height`"),
+       value<S>("load", &S::load, "kg/m", at_least(0.0),
+                "mass per length on its top (floor, roof), added to the bricks of the course that ends at `height`"),
        value<S>("tops", &S::tops, "m", at_least(0.0).usually(usual::kHouse),
                 "[place along the wall's line from its first point, height of its top there], in turn; straight from one to the next, "
                 "`height` before the first and behind the last. At `height` or above it; a place given twice is a step. For gables and "

@@ -214,7 +214,7 @@ void add_span_keys(std::vector<Key<S>>& keys, const std::string& what) {
   keys.push_back(required(value<S>("walls", &S::walls, "", filled(),
                                    "the two sides on which " + what +
                                        " rest: a wall of one side by its name (\"inner\"), of several with the number of the side "
-                                       "(\"outer 2\": from its second corner or point on)")));
+                                       "(\"outer 2\": from its second corner on; bends are no corners)")));
   keys.push_back(value<S>("corners", &S::corners, "m", any().usually(usual::kGround),
                           "four [x, y] in turn: " + what + " lie within this quadrilateral; none: wherever both sides face each other"));
   keys.push_back(required(value<S>("material", &S::material, "", filled(), "of the " + what)));

@@ -1332,7 +1332,7 @@ class Wall(Part):
       there too; a wall that reaches through another one crosses it. Angles of corners and junctions: 30 to 150 degrees; where it turns by less than
       30, it bends; usually 0.001 to 9000, at most 1e9 in magnitude; needed
     closed: whether the last point is joined to the first; default False
-    line: what the points are of: the middle of the wall, or its left or right face, seen along it; default "middle"
+    line: what the points are of: the middle of the wall (always if it bends), or its left or right face, seen along it; default "middle"
     thickness, m: thickness; > 0, usually 0.05 to 5, possible 5e-5 to 5000; needed
     base, m: height of its foot above base.z: that of a part of the base, or the top of the wall that it stands on; >= 0, usually 0.001 to 60, at most
       60000; default 0.0
@@ -1379,7 +1379,7 @@ class Floor(Part):
 
     name: a name of its own, for messages and results; not empty; needed
     walls: the two sides on which beams rest: a wall of one side by its name ("inner"), of several with the number of the side ("outer 2": from its
-      second corner or point on); not empty; needed
+      second corner on; bends are no corners); not empty; needed
     corners, m: four [x, y] in turn: beams lie within this quadrilateral; none: wherever both sides face each other; usually 0.001 to 9000, at most
       1e9 in magnitude
     material: of the beams; not empty; needed
@@ -1427,7 +1427,7 @@ class Roof(Part):
 
     name: a name of its own, for messages and results; not empty; needed
     walls: the two sides on which rafters rest: a wall of one side by its name ("inner"), of several with the number of the side ("outer 2": from its
-      second corner or point on); not empty; needed
+      second corner on; bends are no corners); not empty; needed
     corners, m: four [x, y] in turn: rafters lie within this quadrilateral; none: wherever both sides face each other; usually 0.001 to 9000, at most
       1e9 in magnitude
     material: of the rafters; not empty; needed
@@ -1475,7 +1475,7 @@ class Vault(Part):
 
     name: a name of its own, for messages and results; not empty; needed
     walls: the two sides on which voussoirs rest: a wall of one side by its name ("inner"), of several with the number of the side ("outer 2": from
-      its second corner or point on); not empty; needed
+      its second corner on; bends are no corners); not empty; needed
     corners, m: four [x, y] in turn: voussoirs lie within this quadrilateral; none: wherever both sides face each other; usually 0.001 to 9000, at
       most 1e9 in magnitude
     material: of the voussoirs; not empty; needed
