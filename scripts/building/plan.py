@@ -20,6 +20,7 @@ DENSITIES = [(re.compile(p, re.I), d) for p, d in (
     (r"concrete|beton|screed|estrich", 2300.0), (r"brick|clay|ziegel", 1700.0), (r"block|masonry|mauer|kalksand", 1600.0), (r"stone|stein|tile", 2200.0),
     (r"plaster|gyps|gips", 1000.0))]
 OTHER_DENSITY = 2000.0  # kg/m3, of what none of these words tells
+ERRORS = (ArithmeticError, IndexError, KeyError, RecursionError, TypeError, ValueError)  # of elements that make no plan
 TOUCH = 0.03            # m: what is nearer touches
 SLAB = 0.8              # m: a wall stands on another if no more is between them, as the end of a floor
 LOW = 0.35              # m: a lowest wall that begins so much above the ground is taken down to it
