@@ -55,6 +55,7 @@ class Simulation {
   /// Sets the largest number of threads for the next steps. No bit depends on it.
   void set_threads(int threads);
   [[nodiscard]] int threads() const { return pace_.most(); }
+  [[nodiscard]] const TeamSize& pace() const { return pace_; }
 
   /// The load program of a quasi-static analysis; without effect in a time history.
   [[nodiscard]] const LoadProgram& program() const { return program_; }

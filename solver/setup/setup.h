@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -34,6 +35,9 @@ void set_up_faces(World& w);
 void set_up_damping_bound(World& w);
 /// The levels of all elements, for a case with multi-rate stepping.
 void set_up_multirate(World& w, const cases::Case& c);
+/// Elements evaluated in a time of dt at this `time.multirate`, over those at one rate; nothing where the case has one rate only. Above 1
+/// where whole cycles need a shorter step.
+[[nodiscard]] std::optional<double> share_evaluated(const World& w, const cases::Case& c, int multirate);
 /// Distance [m] by which an element is searched earlier, since a search waits for the first step of a cycle: the travel of a flying element
 /// meanwhile, but at most a small part of the skin (THEORY.md, section 7, "Late pairs").
 [[nodiscard]] double search_margin(const World& w, double skin);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <optional>
 
 #include "cases/case.h"
 #include "cases/census.h"
@@ -24,14 +25,13 @@ std::vector<std::int32_t> steps_by_level(std::int32_t cycle) {
   return every;
 }
 
-/// By row: the highest level whose step Eq. 19 allows the element. \param share  of its bound
-std::vector<std::uint8_t> own_levels(const World& w, double share) {
-  const std::vector<std::int32_t>& every = w.multirate.every;
+/// By row: the highest level whose step Eq. 19 allows the element. \param every  steps by level \param dt  s \param share  of its bound
+std::vector<std::uint8_t> own_levels(const World& w, const std::vector<std::int32_t>& every, double dt, double share) {
   std::vector<std::uint8_t> level(static_cast<std::size_t>(w.elements.rows), static_cast<std::uint8_t>(every.size() - 1));
   for (std::size_t e = 0; e < static_cast<std::size_t>(w.elements.count); ++e) {
     if (w.elements.fixed[e]) continue;
     const double bound = share * cases::step_bound(w.model, e).step;
-    while (level[e] > 0 && bound < every[level[e]] * w.dt * (1.0 - 1e-9)) --level[e];
+    while (level[e] > 0 && bound < every[level[e]] * dt * (1.0 - 1e-9)) --level[e];
   }
   return level;
 }
@@ -59,6 +59,12 @@ std::vector<std::uint8_t> levels_of_joints(const std::vector<std::uint8_t>& own,
   return level;
 }
 
+const cases::SupportHistory* turning_support(const cases::Model& m) {
+  const auto turns = [](const cases::SupportHistory& h) { return !h.rotation.empty(); };
+  const auto found = std::ranges::find_if(m.support_motions, turns);
+  return found == m.support_motions.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 void grade(std::vector<std::uint8_t>& level, const Pairs& neighbours) {
@@ -74,21 +80,33 @@ void grade(std::vector<std::uint8_t>& level, const Pairs& neighbours) {
   }
 }
 
+std::optional<double> share_evaluated(const World& w, const cases::Case& c, int multirate) {
+  cases::Case other = c;
+  other.time.multirate = multirate;
+  if (other.multirate() != multirate || turning_support(w.model) != nullptr) return std::nullopt;
+  const std::vector<std::int32_t> every = steps_by_level(multirate);
+  const double dt = choose_step(other, {}, cases::census(w.model).step_bound);
+  const std::vector<std::uint8_t> level = levels_of_joints(own_levels(w, every, dt, share_of_bound(c)), joined_pairs(w));
+  double evaluated = 0.0, moving = 0.0;
+  for (std::size_t e = 0; e < static_cast<std::size_t>(w.elements.count); ++e) {
+    if (!w.elements.fixed[e]) evaluated += 1.0 / nth(every, level[e]), moving += 1.0;
+  }
+  return moving == 0.0 ? std::nullopt : std::optional(evaluated / moving * w.dt / dt);
+}
+
 double search_margin(const World& w, double skin) { return std::min(0.1 * skin, (w.multirate.wanted - 1) * w.dt * kFlies); }
 
 void set_up_multirate(World& w, const cases::Case& c) {
   Multirate& m = w.multirate;
   m.wanted = c.multirate();
   if (m.wanted == 1) return;
-  for (const cases::SupportHistory& h : w.model.support_motions) {
-    if (!h.rotation.empty())
-      throw cases::InputError("time.multirate", "= " + std::to_string(m.wanted) + " does not go with a support that turns (" +
-                                                    h.key.substr(0, h.key.rfind('.')) + "); allowed: 1");
-  }
+  if (const cases::SupportHistory* h = turning_support(w.model))
+    throw cases::InputError("time.multirate", "= " + std::to_string(m.wanted) + " does not go with a support that turns (" +
+                                                  h->key.substr(0, h->key.rfind('.')) + "); allowed: 1");
   m.every = steps_by_level(m.wanted);
   if (m.every.back() != m.wanted || m.every.size() > Multirate::kMostLevels)
     throw cases::InputError("time.multirate", "= " + std::to_string(m.wanted) + "; allowed: 1, 2, 4, 8");
-  m.own = own_levels(w, share_of_bound(c));
+  m.own = own_levels(w, m.every, w.dt, share_of_bound(c));
   m.of_joints = levels_of_joints(m.own, joined_pairs(w));
   m.of_contacts = m.of_joints;
   const auto rows = static_cast<std::size_t>(w.elements.rows);

@@ -26,6 +26,8 @@ TeamSize::TeamSize(int most) : most_(std::max(most, 1)), size_(most_), pause_(kS
 
 void TeamSize::note(double time) {
   if (most_ == 1) return;
+  all_time_ += time;
+  if (size() < most_) fewer_time_ += time;
   if (!in_trial()) {
     since_ += time;
     if (since_ >= pause_) begin_trial();

@@ -21,6 +21,9 @@ class TeamSize {
   [[nodiscard]] int most() const { return most_; }
   /// What that step has taken [s].
   void note(double time);
+  /// Time of steps so far with fewer threads than there may be, and of all steps [s]; zero with one thread.
+  [[nodiscard]] double time_of_fewer() const { return fewer_time_; }
+  [[nodiscard]] double time_of_all() const { return all_time_; }
 
  private:
   // A trial has four spells: as before, other, other, as before. What changes steadily meanwhile changes both alike.
@@ -33,12 +36,13 @@ class TeamSize {
   void end_trial(bool other_is_faster);
 
   int most_, size_, other_ = 1;
-  bool fewer_ = true;                   // the next trial is of fewer threads
-  int in_vain_ = 0;                     // trials since the size changed
-  double since_ = 0.0, pause_ = 0.0;    // s, since the last trial; from that to the next
-  int spell_ = kSpells, steps_ = 0;     // of the trial; in the spell
-  double time_ = 0.0;                   // s, of the spell, without its first steps
-  double lost_ = 0.0;                   // s, by the trial
+  bool fewer_ = true;                 // the next trial is of fewer threads
+  int in_vain_ = 0;                   // trials since the size changed
+  double since_ = 0.0, pause_ = 0.0;  // s, since the last trial; from that to the next
+  int spell_ = kSpells, steps_ = 0;   // of the trial; in the spell
+  double time_ = 0.0;                 // s, of the spell, without its first steps
+  double lost_ = 0.0;                 // s, by the trial
+  double fewer_time_ = 0.0, all_time_ = 0.0;
   std::array<double, kSpells> pace_{};  // s a step
 };
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -10,6 +9,7 @@
 #include <numbers>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cases/case.h"
@@ -32,6 +32,7 @@
 #include "io/app/session/prepared_case.h"
 #include "io/app/session/progress.h"
 #include "io/app/session/run_extent.h"
+#include "io/app/session/run_time.h"
 #include "io/app/session/words/tie_lines.h"
 #include "io/input/case_file/catalogue.h"
 #include "io/input/files/output_path.h"
@@ -63,15 +64,6 @@ struct CheckWords {
   CheckOptions o;
 };
 
-// The estimate of a run's time: steps of the intact model are timed here; a collapsing house took ten times as long (perf/README.md).
-constexpr double kTrialTime = 0.3;  // s of wall-clock time
-constexpr int kWarmUp = 10, kMostTrialSteps = 2000;
-constexpr double kCollapse = 10.0;
-// Of an analysis from one state of rest to the next, as measured on ready houses: the time of so many steps of the intact model in all;
-// times that where much breaks (cases/catalogue/capacity.md).
-// Where supports move it is a tenth, as two settlements of a house of 3,078 elements took.
-constexpr double kRestSteps = 360'000.0, kMuchBreaks = 5.0, kSupportSteps = 0.1 * kRestSteps;
-constexpr double kRamp = 1.0, kWaitForRest = 0.5;  // s, simulated: the default ramp, a typical waiting time
 constexpr double kMegabyte = 1e6;
 
 double degrees(double tangent) { return std::atan(tangent) * 180.0 / std::numbers::pi; }
@@ -201,60 +193,66 @@ void print_step(const cases::Census& n, const cases::Model& m, const solver::Wor
   }
 }
 
-/// Wall-clock time of a step of the intact model [s]. Makes a few steps.
-double time_a_step(solver::Simulation& sim) {
-  using Clock = std::chrono::steady_clock;
-  for (int i = 0; i < kWarmUp; ++i) sim.step({});
-  const auto start = Clock::now();
-  int steps = 0;
-  double taken = 0.0;
-  while (steps < kMostTrialSteps && taken < kTrialTime) {
-    sim.step({});
-    ++steps;
-    taken = std::chrono::duration<double>(Clock::now() - start).count();
+/// What a run needs, in bytes.
+struct RunRoom {
+  double memory = 0.0, disk = 0.0;
+};
+
+RunRoom room_of(const cases::Case& c, const cases::Census& n, double frame_interval) {
+  const double joints = static_cast<double>(n.joints + n.base_joints), elements = static_cast<double>(n.elements);
+  const double frames = std::floor(c.end() / frame_interval) + 1.0, rows = c.end() / c.output.history_interval;
+  return {3e3 * elements + 400.0 * joints + 35.0 * static_cast<double>(n.joint_sides),
+          frames * elements * 32.0 + rows * (8.0 + 72.0 * static_cast<double>(c.output.history.size()) + 56.0)};
+}
+
+/// Prints what another number of rates would save. \param times  by rate, at least one
+void print_rates(std::vector<RateTime> times, const RunTime& own) {
+  const auto best = std::ranges::min_element(times, {}, [](const RateTime& t) { return t.time.collapse; });
+  if (best->time.collapse > 0.9 * own.collapse) {
+    std::printf("                         no other time.multirate would save a tenth of that\n");
+    return;
   }
-  return taken / steps;
+  std::printf("with time.multirate = %d  %s and some %s: %.2f and some %.2f of the time\n", best->multirate,
+              format_duration(best->time.intact).c_str(), format_duration(best->time.collapse).c_str(), best->time.intact / own.intact,
+              best->time.collapse / own.collapse);
 }
 
-/// Simulated time before the shaking begins [s].
-double settling_time(const cases::Case& c) {
-  if (!c.gravity.settle) return 0.0;
-  const double ramp = c.gravity.ramp.value_or(c.damping.frequency ? 5.0 / *c.damping.frequency : kRamp);
-  return ramp + std::min(c.gravity.settle_limit, kWaitForRest);
+/// Prints the estimated time of a time history, or of an analysis by dynamics. \throw solver::NumericalError
+void print_run_time(const cases::Case& c, const cases::Model& model, const cases::GroundMotion& motion, solver::Simulation& sim) {
+  const solver::Options& options = sim.world().options;
+  const bool settles = sim.phase() == solver::Phase::settling;  // at one rate
+  const StepTimes times = time_steps(sim);
+  const double one_rate = sim.cycle() == 1 || settles ? times.settling : one_rate_step(c, model, motion, options);
+  const RunTime own = run_time(c, sim, times, one_rate);
+  std::printf("\nestimate, %d threads      %s if nothing breaks, some %s if it collapses (steps were timed on this machine)\n",
+              sim.threads(), format_duration(own.intact).c_str(), format_duration(own.collapse).c_str());
+  if (is_assessment(c.analysis))
+    std::printf("                         for all %s s of analysis.longest; most analyses end in a tenth of it\n",
+                cases::text(c.end()).c_str());
+  std::fflush(stdout);
+  std::vector<RateTime> rates = other_rates(c, model, motion, options, one_rate);
+  if (!rates.empty()) print_rates(std::move(rates), own);
 }
-
-/// Iterations that an analysis by states of rest takes, where not much breaks.
-double rest_steps(const cases::Analysis& a) { return cases::follows_supports(a) ? kSupportSteps : kRestSteps; }
 
 /// Prints the estimated time of a run. \return whether the first steps succeed
-bool print_estimate(const cases::Case& c, const cases::Census& n, solver::Simulation& sim) {
-  const double joints = static_cast<double>(n.joints + n.base_joints), elements = static_cast<double>(n.elements);
-  const double sides = static_cast<double>(n.joint_sides);
-  const double memory = 3e3 * elements + 400.0 * joints + 35.0 * sides;
-  const double interval = cases::frame_interval(c, static_cast<std::size_t>(n.elements));
-  const double frames = std::floor(c.end() / interval) + 1.0;
-  const double rows = c.end() / c.output.history_interval;
-  const double disk = frames * elements * 32.0 + rows * (8.0 + 72.0 * static_cast<double>(c.output.history.size()) + 56.0);
+bool print_estimate(const cases::Case& c, const cases::Model& model, const cases::GroundMotion& motion, solver::Simulation& sim) {
   bool sound = true;
+  const double interval = cases::frame_interval(c, model.blocks.size());
+  const RunRoom room = room_of(c, cases::census(model), interval);
   try {
     if (cases::finds_rest(c.analysis)) {
-      const double usual = rest_steps(c.analysis) * time_a_step(sim);
+      const double usual = rest_time(c.analysis, time_steps(sim).settling);
       std::printf("\nestimate, %d threads      some %s, %.0f times that where much breaks (steps were timed on this machine)\n",
                   sim.threads(), format_duration(usual).c_str(), kMuchBreaks);
-      std::printf("memory                   about %.0f MB\n", memory / kMegabyte);
+      std::printf("memory                   about %.0f MB\n", room.memory / kMegabyte);
       return true;
     }
-    const double intact = (c.end() + settling_time(c)) / sim.dt() * time_a_step(sim);
-    std::printf("\nestimate, %d threads      %s if nothing breaks, some %s if it collapses (steps were timed on this machine)\n",
-                sim.threads(), format_duration(intact).c_str(), format_duration(kCollapse * intact).c_str());
-    if (is_assessment(c.analysis))
-      std::printf("                         for all %s s of analysis.longest; most analyses end in a tenth of it\n",
-                  cases::text(c.end()).c_str());
+    print_run_time(c, model, motion, sim);
   } catch (const solver::NumericalError& e) {
     std::printf("\nestimate                 none: the first steps go wrong (%s)\n", e.what());
     sound = false;
   }
-  std::printf("memory, disk             about %.0f MB, %.0f MB (a frame every %s s)\n", memory / kMegabyte, disk / kMegabyte,
+  std::printf("memory, disk             about %.0f MB, %.0f MB (a frame every %s s)\n", room.memory / kMegabyte, room.disk / kMegabyte,
               cases::text(interval).c_str());
   return sound;
 }
@@ -294,9 +292,9 @@ std::vector<std::string> findings_of(const LoadedCase& c, const cases::Model& mo
 int check_as_json(const LoadedCase& c, const cases::Model& model, const cases::GroundMotion& motion, solver::Simulation& sim) {
   CheckFigures f{cases::census(model), sim.dt(), {}, {}, findings_of(c, model, motion)};
   try {
-    const double taken = time_a_step(sim);
-    f.run_seconds = cases::finds_rest(c.value.analysis) ? rest_steps(c.value.analysis) * taken
-                                                        : (c.value.end() + settling_time(c.value)) / f.step * taken;
+    const StepTimes times = time_steps(sim);
+    f.run_seconds = cases::finds_rest(c.value.analysis) ? rest_time(c.value.analysis, times.settling)
+                                                        : run_time(c.value, sim, times, times.settling).intact;
   } catch (const solver::NumericalError& e) {
     f.faults = {std::string("the first steps go wrong: ") + e.what()};
   }
@@ -341,7 +339,7 @@ int check(const LoadedCase& c, const CheckOptions& o, int threads) {
   print_adapted_walls(c.value);
   print_tie_bill(model);
   std::fflush(stdout);  // the steps of the estimate take a while
-  const bool sound = print_estimate(c.value, n, sim);
+  const bool sound = print_estimate(c.value, model, motion, sim);
   if (!o.draw.empty()) {
     write_output(drawing, draw(c.value, model));
     std::printf("\ndrawing                  %s\n", o.draw.c_str());

@@ -16,6 +16,7 @@
 #include "io/app/session/progress.h"
 #include "io/app/session/stop_words.h"
 #include "io/app/session/views.h"
+#include "io/app/session/words/advice.h"
 #include "io/app/session/words/headway.h"
 #include "io/app/session/words/tie_lines.h"
 #include "io/input/files/errors.h"
@@ -134,6 +135,7 @@ class Watch {
         now);
     if (settling_ && !s.settling) warn_of_settling();
     settling_ = s.settling;
+    clock_.note(s.time, s.settling, now, sim_.stage_times());
     const bool stop = stop_signal != 0;
     if (stop || save_signal != 0 || checkpoints_.due(s)) {
       save_signal = 0;
@@ -160,6 +162,8 @@ class Watch {
 
   void finish() { progress_.finish(); }
 
+  [[nodiscard]] const RunClock& clock() const { return clock_; }
+
   /// Warns once, when the shaking begins.
   void warn_of_settling() {
     const std::string text = settling_warning(sim_.world(), plan_);
@@ -184,6 +188,7 @@ class Watch {
   Checkpoints& checkpoints_;
   LivePage page_;
   Progress progress_;
+  RunClock clock_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   bool saved_ = false, settling_ = false;
   int saves_ = 0;        // including failed ones
@@ -218,9 +223,10 @@ void print_way_on(const std::string& folder) {
   if (!checkpoint_files(folder).empty()) {
     say_info("the run has stopped; once its files can be written, 'voussoir resume " + folder + "' goes on");
   } else {
-    say_info("the run has stopped before its first checkpoint: there is nothing to go on from; once files can be written, run the case "
-             "anew ('voussoir run CASE -o " +
-             folder + " --overwrite')");
+    say_info(
+        "the run has stopped before its first checkpoint: there is nothing to go on from; once files can be written, run the case "
+        "anew ('voussoir run CASE -o " +
+        folder + " --overwrite')");
   }
 }
 
@@ -259,6 +265,7 @@ int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState&
     print_tie_outcome(sim.world().ties, sim.world().model);
     print_stages(sim.stage_times());
     watch.print_checkpoints();
+    std::fputs(advice_lines(c, sim, watch.clock(), plan.collapse).c_str(), stdout);
     return r.stopped ? 128 + static_cast<int>(stop_signal) : kDone;
   } catch (const solver::NumericalError& e) {
     watch.finish();

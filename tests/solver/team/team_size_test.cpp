@@ -64,6 +64,9 @@ TEST_CASE("where a core is busy the team is smaller within a second, and as larg
   const Run run = go_on(team, machine, 20.0);
   TeamSize alone(1);
   CHECK(run.steps > 0.97 * go_on(alone, machine, 20.0).steps);
+  CHECK(team.time_of_all() == doctest::Approx(21.0).epsilon(0.01));
+  CHECK(team.time_of_fewer() > 0.9 * team.time_of_all());
+  CHECK(alone.time_of_all() == 0.0);
   busy = false;
   go_on(team, machine, 10.0);
   CHECK(team.size() == 2);
