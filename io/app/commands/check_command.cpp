@@ -220,10 +220,8 @@ void print_rates(std::vector<RateTime> times, const RunTime& own) {
 /// Prints the estimated time of a time history, or of an analysis by dynamics. \throw solver::NumericalError
 void print_run_time(const cases::Case& c, const cases::Model& model, const cases::GroundMotion& motion, solver::Simulation& sim) {
   const solver::Options& options = sim.world().options;
-  const bool settles = sim.phase() == solver::Phase::settling;  // at one rate
-  const StepTimes times = time_steps(sim);
-  const double one_rate = sim.cycle() == 1 || settles ? times.settling : one_rate_step(c, model, motion, options);
-  const RunTime own = run_time(c, sim, times, one_rate);
+  const double step = shaken_step(sim), one_rate = sim.cycle() == 1 ? step : one_rate_step(c, model, motion, options);
+  const RunTime own = run_time(c, sim, step, one_rate);
   std::printf("\nestimate, %d threads      %s if nothing breaks, some %s if it collapses (steps were timed on this machine)\n",
               sim.threads(), format_duration(own.intact).c_str(), format_duration(own.collapse).c_str());
   if (is_assessment(c.analysis))
@@ -241,7 +239,7 @@ bool print_estimate(const cases::Case& c, const cases::Model& model, const cases
   const RunRoom room = room_of(c, cases::census(model), interval);
   try {
     if (cases::finds_rest(c.analysis)) {
-      const double usual = rest_time(c.analysis, time_steps(sim).settling);
+      const double usual = rest_time(c.analysis, sim);
       std::printf("\nestimate, %d threads      some %s, %.0f times that where much breaks (steps were timed on this machine)\n",
                   sim.threads(), format_duration(usual).c_str(), kMuchBreaks);
       std::printf("memory                   about %.0f MB\n", room.memory / kMegabyte);
@@ -292,9 +290,12 @@ std::vector<std::string> findings_of(const LoadedCase& c, const cases::Model& mo
 int check_as_json(const LoadedCase& c, const cases::Model& model, const cases::GroundMotion& motion, solver::Simulation& sim) {
   CheckFigures f{cases::census(model), sim.dt(), {}, {}, findings_of(c, model, motion)};
   try {
-    const StepTimes times = time_steps(sim);
-    f.run_seconds = cases::finds_rest(c.value.analysis) ? rest_time(c.value.analysis, times.settling)
-                                                        : run_time(c.value, sim, times, times.settling).intact;
+    if (cases::finds_rest(c.value.analysis)) {
+      f.run_seconds = rest_time(c.value.analysis, sim);
+    } else {
+      const double step = shaken_step(sim);
+      f.run_seconds = run_time(c.value, sim, step, step).intact;
+    }
   } catch (const solver::NumericalError& e) {
     f.faults = {std::string("the first steps go wrong: ") + e.what()};
   }

@@ -63,26 +63,22 @@ cases::Case at_rate(const cases::Case& c, int multirate) {
 
 }  // namespace
 
-StepTimes time_steps(solver::Simulation& sim) {
-  StepTimes times;
-  times.settling = times.shaking = time_a_step(sim);
-  if (sim.cycle() == 1 || sim.phase() == solver::Phase::shaking) return times;
-  sim.start_shaking();
-  times.shaking = time_a_step(sim);
-  return times;
-}
-
-RunTime run_time(const cases::Case& c, const solver::Simulation& sim, const StepTimes& times, double one_rate) {
-  const double settling = settling_time(c) / sim.dt() * times.settling, steps = c.end() / sim.dt();
-  const double share = solver::share_evaluated(sim.world(), c, c.multirate()).value_or(1.0);
-  const double collapse = kCollapse * (kSameAtAnyRate + (1.0 - kSameAtAnyRate) * share) * one_rate;
-  return {settling + steps * times.shaking, settling + steps * std::max(collapse, times.shaking)};
+double shaken_step(solver::Simulation& sim) {
+  if (sim.phase() == solver::Phase::settling) sim.start_shaking();
+  return time_a_step(sim);
 }
 
 double one_rate_step(const cases::Case& c, const cases::Model& model, const cases::GroundMotion& motion, const solver::Options& o) {
   const cases::Case other = at_rate(c, 1);
   solver::Simulation sim(other, model, motion, o);
-  return time_a_step(sim);
+  return shaken_step(sim);
+}
+
+RunTime run_time(const cases::Case& c, const solver::Simulation& sim, double step, double one_rate) {
+  const double settling = settling_time(c) / sim.dt() * one_rate, steps = c.end() / sim.dt();
+  const double share = solver::share_evaluated(sim.world(), c, c.multirate()).value_or(1.0);
+  const double collapse = kCollapse * (kSameAtAnyRate + (1.0 - kSameAtAnyRate) * share) * one_rate;
+  return {settling + steps * step, settling + steps * std::max(collapse, step)};
 }
 
 std::vector<RateTime> other_rates(const cases::Case& c, const cases::Model& model, const cases::GroundMotion& motion,
@@ -92,11 +88,10 @@ std::vector<RateTime> other_rates(const cases::Case& c, const cases::Model& mode
   for (const int multirate : {1, 2, 4, 8}) {
     const cases::Case other = at_rate(c, multirate);
     if (multirate == c.multirate() || other.multirate() != multirate) continue;
-    cases::Case shaken = other;  // at once
-    shaken.gravity.settle = false;
     try {
-      solver::Simulation sim(shaken, model, motion, o);
-      found.push_back({multirate, run_time(other, sim, {one_rate, time_a_step(sim)}, one_rate)});
+      solver::Simulation sim(other, model, motion, o);
+      const double step = shaken_step(sim);
+      found.push_back({multirate, run_time(other, sim, step, multirate == 1 ? step : one_rate)});
     } catch (const cases::InputError&) {  // supports that turn have one rate
     } catch (const solver::NumericalError&) {
     }
@@ -104,6 +99,8 @@ std::vector<RateTime> other_rates(const cases::Case& c, const cases::Model& mode
   return found;
 }
 
-double rest_time(const cases::Analysis& a, double step) { return (cases::follows_supports(a) ? kSupportSteps : kRestSteps) * step; }
+double rest_time(const cases::Analysis& a, solver::Simulation& sim) {
+  return (cases::follows_supports(a) ? kSupportSteps : kRestSteps) * time_a_step(sim);
+}
 
 }  // namespace voussoir::io

@@ -12,11 +12,6 @@
 /// How long a run takes. Steps of the intact model are timed on this machine.
 namespace voussoir::io {
 
-/// Wall-clock times of a step of the intact model [s].
-struct StepTimes {
-  double settling = 0.0, shaking = 0.0;
-};
-
 /// Wall-clock time of a run [s].
 struct RunTime {
   double intact = 0.0;    // if nothing breaks
@@ -29,24 +24,24 @@ struct RateTime {
   RunTime time;
 };
 
-/// Makes a few steps; then, at several rates, ends settling and makes a few more. \pre no step has been made
+/// Wall-clock time of a step of the intact model, shaken at once [s]: what has not moved yet takes a quarter of it. Makes a few steps.
 /// \throw solver::NumericalError
-StepTimes time_steps(solver::Simulation& sim);
+double shaken_step(solver::Simulation& sim);
 
-/// Of a time history or an analysis by dynamics, whose intact step was timed. \param one_rate  s, time of its step where all elements are
-/// evaluated in every step
-RunTime run_time(const cases::Case& c, const solver::Simulation& sim, const StepTimes& times, double one_rate);
-
-/// Of a case with several rates [s]: time of a step of the intact model at one rate. \throw solver::NumericalError
+/// The same at one rate, of a case with several. \throw solver::NumericalError
 double one_rate_step(const cases::Case& c, const cases::Model& model, const cases::GroundMotion& motion, const solver::Options& o);
+
+/// Of a time history or an analysis by dynamics. \param step, one_rate  s, shaken_step and one_rate_step
+RunTime run_time(const cases::Case& c, const solver::Simulation& sim, double step, double one_rate);
 
 /// The run at every other rate that its step allows, each measured by a few steps. Empty for what has one rate only, and for more than
 /// 100,000 elements, whose set-up takes long. \param one_rate  s, as for run_time
 std::vector<RateTime> other_rates(const cases::Case& c, const cases::Model& model, const cases::GroundMotion& motion,
                                   const solver::Options& o, double one_rate);
 
-/// Of an analysis by states of rest, where not much breaks [s]; kMuchBreaks times that where much does. \param step  s, time of a step
-double rest_time(const cases::Analysis& a, double step);
+/// Of an analysis by states of rest, where not much breaks [s]; kMuchBreaks times that where much does. Makes a few steps.
+/// \throw solver::NumericalError
+double rest_time(const cases::Analysis& a, solver::Simulation& sim);
 inline constexpr double kMuchBreaks = 5.0;  // as measured on ready houses (cases/catalogue/capacity.md)
 
 }  // namespace voussoir::io

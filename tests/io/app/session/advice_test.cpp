@@ -106,7 +106,7 @@ TEST_CASE("the time of a run grows with its steps; at several rates a collapse t
   one.c.time.step = four.c.time.step = 5e-5;
   one.c.set_end(10.0), four.c.set_end(10.0);
   const solver::Simulation at_one(one.c, one.m, one.g, {}), at_four(four.c, four.m, four.g, {});
-  const io::RunTime t = io::run_time(one.c, at_one, {1e-4, 1e-4}, 1e-4), u = io::run_time(four.c, at_four, {1e-4, 0.5e-4}, 1e-4);
+  const io::RunTime t = io::run_time(one.c, at_one, 1e-4, 1e-4), u = io::run_time(four.c, at_four, 0.5e-4, 1e-4);
   const double settling = one.c.gravity.settle ? t.intact - 10.0 / 5e-5 * 1e-4 : 0.0;
   CHECK(t.collapse == doctest::Approx(settling + 10.0 * 10.0 / 5e-5 * 1e-4));
   CHECK(u.intact == doctest::Approx(settling + 10.0 / 5e-5 * 0.5e-4));
@@ -129,4 +129,13 @@ TEST_CASE("other rates are those that the case does not have; an analysis has no
   CHECK(tried() == std::vector<int>{1, 2, 8});
   w.c.analysis.kind = cases::AnalysisKind::pushover;
   CHECK(tried().empty());
+}
+
+TEST_CASE("a step is timed while the model is shaken, also where it would settle first") {
+  TimberWall w;
+  w.c.gravity.settle = true;
+  solver::Simulation sim(w.c, w.m, w.g, {});
+  REQUIRE(sim.phase() == solver::Phase::settling);
+  CHECK(io::shaken_step(sim) > 0.0);
+  CHECK(sim.phase() == solver::Phase::shaking);
 }
