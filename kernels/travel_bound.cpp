@@ -46,7 +46,14 @@ VOUSSOIR_INLINE double largest(Lanes x) noexcept {
   return most;
 }
 
-/// Advances a batch in which each element has its own bound. \return the displacements that had to be computed
+/// Displacements above their limits; 0 for the others.
+VOUSSOIR_INLINE Lanes over(Lanes moved, Lanes limit) noexcept {
+  Lanes result{};
+  for (int l = 0; l < kWidth; ++l) result[l] = moved[l] > limit[l] ? moved[l] : 0.0;
+  return result;
+}
+
+/// Advances a batch in which each element has its own bound. \return the displacements above their limits
 VOUSSOIR_INLINE Lanes advance_each(const ElementsView& e, const TravelView& t, Lanes step, std::int64_t first) noexcept {
   constexpr unsigned kAll = (1U << kWidth) - 1U;
   Lanes farthest{};
@@ -56,8 +63,9 @@ VOUSSOIR_INLINE Lanes advance_each(const ElementsView& e, const TravelView& t, L
     store_lanes(t.element.bound + i, bound);
     if (bits(bound <= load_lanes(t.element.safe + i)) == kAll) continue;
     const Lanes moved = displacements_of_group(e, t.at, i);
-    store_lanes(t.element.safe + i, bound + (t.limit - moved) * (1.0 / kDisplacementOfTravel));
-    farthest = max(farthest, moved);
+    const Lanes limit = load_lanes(t.reach + i) - t.margin;
+    store_lanes(t.element.safe + i, bound + (limit - moved) * (1.0 / kDisplacementOfTravel));
+    farthest = max(farthest, over(moved, limit));
   }
   return farthest;
 }
@@ -73,9 +81,14 @@ VOUSSOIR_INLINE Lanes advance_together(const ElementsView& e, const TravelView& 
   double& bound = t.batch.bound[batch];
   bound += largest(travel);
   if (bound <= t.batch.safe[batch]) return Lanes{};
-  Lanes farthest{};
-  for (std::int64_t i = first; i < first + kBatch; i += kWidth) farthest = max(farthest, displacements_of_group(e, t.at, i));
-  t.batch.safe[batch] = bound + (t.limit - largest(farthest)) / kDisplacementOfTravel;
+  Lanes most{}, farthest{};
+  double nearest = 1e300;
+  for (std::int64_t i = first; i < first + kBatch; i += kWidth) {
+    const Lanes moved = displacements_of_group(e, t.at, i), limit = load_lanes(t.reach + i) - t.margin;
+    for (int l = 0; l < kWidth; ++l) nearest = limit[l] < nearest ? limit[l] : nearest;
+    most = max(most, moved), farthest = max(farthest, over(moved, limit));
+  }
+  t.batch.safe[batch] = bound + (nearest - largest(most)) / kDisplacementOfTravel;
   return farthest;
 }
 
@@ -93,8 +106,7 @@ double advance_travel(const ElementsView& e, const TravelView& t, std::int64_t f
     const bool each = t.active == nullptr || t.active[i / kBatch] != 0;
     farthest = max(farthest, each ? advance_each(e, t, step, i) : advance_together(e, t, step, i));
   }
-  const double most = largest(farthest);
-  return most > t.limit ? most : 0.0;
+  return largest(farthest);
 }
 
 }  // namespace voussoir::kernels

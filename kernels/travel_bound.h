@@ -29,7 +29,8 @@ struct TravelBounds {
 struct TravelView {
   SearchedPoses at;
   double dt;                               // s
-  double limit;                            // m, displacement below which no search is needed; constant
+  const double* reach;                     // m, by element: its displacement needs no search up to here, less the margin
+  double margin;                           // m
   TravelBounds element;                    // by element, of active batches
   const std::uint8_t* active = nullptr;    // by batch; nullptr: all are active
   TravelBounds batch{};                    // by batch, of inactive batches
@@ -38,7 +39,7 @@ struct TravelView {
 
 /// Adds the travel of one step, from the current velocities, to the bounds of the elements [first, last), whole batches. Computes the
 /// displacement only of elements whose bound exceeds `safe`.
-/// \return the largest displacement above the limit [m], 0 if there is none
+/// \return the largest displacement above the reach of its element less the margin [m], 0 if there is none
 double advance_travel(const ElementsView& e, const TravelView& t, std::int64_t first, std::int64_t last) noexcept;
 
 }  // namespace voussoir::kernels

@@ -69,24 +69,41 @@ struct Here {
 /// One search: what it looks for, and how far.
 struct SearchPass {
   const World& w;
-  double skin = 0.0, moved = 0.0;  // m; that elements which are not searched again have moved at most since they were searched
   [[nodiscard]] const SearchRoom& room() const { return w.contacts.room; }
   [[nodiscard]] bool is_re_searched(std::int32_t e) const { return nth(room().re_search.element, e) != 0; }
   [[nodiscard]] bool is_re_searched_patch(std::int32_t p) const { return nth(room().re_search.patch, p) != 0; }
+
+  /// How far an element can go from here [m] before it is searched again: one that is searched now by its reach; one that was searched
+  /// before may come back from where it has moved, and go by its reach from there.
+  [[nodiscard]] double way_of(std::int32_t e) const { return is_re_searched(e) ? 0.0 : nth(room().moved, e); }
+  /// Gap [m] within which patches of `e`, or patches that touch it, are listed with another element: they may meet before one of the two is
+  /// searched again.
+  [[nodiscard]] double gap_of(std::int32_t e, std::int32_t other) const {
+    return (w.travel.reach(e) + w.travel.reach(other)) + (way_of(e) + nth(room().moved, other));
+  }
 };
 
-/// Elements whose boxes are that near to another's.
-/// \param gap  m, between a patch of one and the other  \param near  room for them
-void find_neighbours(const SearchPass& t, const Here& here, double gap, std::vector<std::int32_t>& near) {
+Vec3 alike(double v) { return {v, v, v}; }
+
+/// The box in the grid of an element that had this box when it was searched: it reaches as far as the element goes, and as far again as it
+/// has moved meanwhile; one that has moved by more than half its reach is searched again.
+geometry::Box3 grid_box(const World& w, std::int32_t e, const geometry::Box3& box) {
+  const Vec3 wide = alike(2.0 * w.travel.reach(e));
+  return {box.low - wide, box.high + wide};
+}
+
+/// Elements whose boxes are as near as a patch of one and the other have to be.
+/// \param near  room for them
+void find_neighbours(const SearchPass& t, const Here& here, std::vector<std::int32_t>& near) {
   const World& w = t.w;
   near.clear();
-  const double reach = gap + t.moved;  // to where the grid has it
-  const Vec3 wide{reach, reach, reach};
+  const double beyond = w.patches.beyond + kernels::kRoundOff;
+  const Vec3 wide = alike(w.travel.reach(here.element) + t.way_of(here.element) + beyond);
   w.contacts.grid.query({here.box.low - wide, here.box.high + wide}, near);
   const auto is_fixed = [&](std::int32_t k) { return nth(w.elements.fixed, k) != 0; };
-  const double apart = gap + w.patches.beyond + kernels::kRoundOff;
   std::erase_if(near, [&](std::int32_t other) {
-    return other == here.element || (is_fixed(here.element) && is_fixed(other)) || !overlap(here.box, nth(t.room().box, other), apart);
+    return other == here.element || (is_fixed(here.element) && is_fixed(other)) ||
+           !overlap(here.box, nth(t.room().box, other), t.gap_of(here.element, other) + beyond);
   });
 }
 
@@ -106,17 +123,17 @@ kernels::Candidate candidate_at(const World& w, std::int32_t patch, std::int32_t
 }
 
 /// Candidates of the patches of an element that is searched again.
-void search_own_patches(const SearchPass& t, const Here& here, std::span<const Here> near, double gap, SearchRoom& room,
-                        FoundPairs& found) {
+void search_own_patches(const SearchPass& t, const Here& here, std::span<const Here> near, SearchRoom& room, FoundPairs& found) {
   const World& w = t.w;
   const Elements& el = w.elements;
-  const bool over_base = w.has_base && !nth(el.fixed, here.element) && here.box.low.z - gap <= nth(el.body, el.base).ref.z;
+  const bool over_base =
+      w.has_base && !nth(el.fixed, here.element) && here.box.low.z - t.gap_of(here.element, el.base) <= nth(el.body, el.base).ref.z;
   for (auto p = room.patches.begin_of(here.element); p != room.patches.end_of(here.element); ++p) {
     if (!t.is_re_searched_patch(*p)) continue;
     std::int32_t count = 0;
     const PlacedPatch patch = placed(nth(w.patches.patch, *p), here.body);
     const auto consider = [&](const Here& other) {
-      const std::optional<double> apart = gap_within(t, patch, other, gap);
+      const std::optional<double> apart = gap_within(t, patch, other, t.gap_of(here.element, other.element));
       if (apart) found.add(*p, count++, candidate_at(w, *p, other.element, *apart));
     };
     for (const Here& other : near) consider(other);
@@ -126,11 +143,12 @@ void search_own_patches(const SearchPass& t, const Here& here, std::span<const H
 }
 
 /// Patches of its neighbours that are not searched again themselves, against the element.
-void search_patches_around(const SearchPass& t, const Here& here, std::span<const Here> near, double gap, FoundPairs& found) {
+void search_patches_around(const SearchPass& t, const Here& here, std::span<const Here> near, FoundPairs& found) {
   const World& w = t.w;
   for (const Here& other : near) {
     if (t.is_re_searched(other.element)) continue;
     const PatchesOfElements& patches = t.room().patches;
+    const double gap = t.gap_of(here.element, other.element);
     for (auto p = patches.begin_of(other.element); p != patches.end_of(other.element); ++p) {
       if (t.is_re_searched_patch(*p)) continue;
       const std::optional<double> apart = gap_within(t, placed(nth(w.patches.patch, *p), other.body), here, gap);
@@ -147,19 +165,16 @@ struct Neighbours {
   std::vector<Here> body;
 };
 
-/// A pair stays listed until one of its two is searched again, when it has moved by half the skin at most from where it was searched last.
-/// One that is searched now goes by half the skin from here; one that was searched before may come back from where it has moved, and go by
-/// half the skin from there.
 void search_element(const SearchPass& t, std::int32_t e, SearchRoom& room, Neighbours& near, SearchOfThread& mine) {
-  const bool again = t.is_re_searched(e);
   const Here at = here(t.w, e);
-  const double gap = t.skin + (again ? 1.0 : 2.0) * t.moved;
-  find_neighbours(t, at, gap, near.element);
+  find_neighbours(t, at, near.element);
   near.body.clear();
   for (const std::int32_t other : near.element) near.body.push_back(here(t.w, other));
-  search_own_patches(t, at, near.body, gap, room, mine.own);
-  if (again) search_patches_around(t, at, near.body, gap, mine.around);
-  if (again) list_overlaps_of(t.w, e, near.element, gap, mine.overlaps);
+  search_own_patches(t, at, near.body, room, mine.own);
+  if (!t.is_re_searched(e)) return;
+  search_patches_around(t, at, near.body, mine.around);
+  list_overlaps_of(
+      t.w, e, near.element, [&](std::int32_t other) { return t.gap_of(e, other); }, mine.overlaps);
 }
 
 /// Patches of every element, where there are others than at the last search.
@@ -176,29 +191,28 @@ void list_patches(const World& w, PatchesOfElements& r) {
   }
 }
 
-/// Marks elements that have moved farther than that: they count as searched from here on. \return m, that those which are not marked have
-/// moved at most
-double mark_moved(World& w, double farther_than) {
+/// Marks elements that have moved by more than a share of their reach: they count as searched from here on.
+void mark_moved(World& w, double share) {
   SearchRoom& room = w.contacts.room;
-  const auto mark = [&](std::int32_t e, double& moved) {
+  const auto mark = [&](std::int32_t e, double& most) {
     const auto i = static_cast<std::size_t>(e);
     const double m = w.travel.displacement(w.elements, e);
-    const bool again = m > farther_than;
+    const bool again = m > share * w.travel.reach(e);
     room.re_search.element[i] = room.looked_at[i] = again ? 1 : 0;
     room.box[i] = box_of(w, e, placed_element(w, e));
-    if (again) {
-      w.travel.remember(w.elements, e);
-    } else {
-      moved = std::max(moved, m);
-    }
+    room.moved[i] = again ? 0.0 : m;
+    if (again) w.travel.remember(w.elements, e);
+    most = std::max(most, room.moved[i]);
   };
   w.team.share_out(w.elements.count, kElementsAtATime, [&](std::int64_t first, std::int64_t last, int thread) {
     double& moved = nth(room.by_thread, thread).moved;
     for (std::int64_t e = first; e < last; ++e) mark(static_cast<std::int32_t>(e), moved);
   });
+  if (w.travel.looks_ahead()) return;
+  // Where reaches are alike, the most that any has moved serves for all: results of one rate depend on the pairs listed so.
   double most = 0.0;
   for (const SearchOfThread& t : room.by_thread) most = std::max(most, t.moved);
-  return most;
+  std::ranges::fill(room.moved, most);
 }
 
 /// Patches that came after the last search.
@@ -218,7 +232,7 @@ void place_in_grid(World& w) {
   SearchRoom& room = c.room;
   if (!room.stale) {
     for (std::int32_t e = 0; e < w.elements.count; ++e) {
-      if (nth(room.re_search.element, e) != 0) c.grid.move(e, nth(room.box, e));
+      if (nth(room.re_search.element, e) != 0) c.grid.move(e, grid_box(w, e, nth(room.box, e)));
     }
     return;
   }
@@ -226,6 +240,7 @@ void place_in_grid(World& w) {
   for (std::int32_t e = 0; e < w.elements.count; ++e) {
     const auto i = static_cast<std::size_t>(e);
     if (room.re_search.element[i] == 0) box[i] = box_of(w, e, placed_then(w, e));
+    box[i] = grid_box(w, e, box[i]);
   }
   c.grid.build(box);
   room.stale = false;
@@ -235,6 +250,7 @@ void begin_search(World& w) {
   SearchRoom& room = w.contacts.room;
   const auto elements = static_cast<std::size_t>(w.elements.base) + 1;
   room.re_search.element.resize(elements), room.looked_at.resize(elements), room.box.resize(static_cast<std::size_t>(w.elements.count));
+  room.moved.resize(elements);
   room.re_search.patch.assign(w.patches.patch.size(), 0);
   room.candidates.assign(w.patches.patch.size(), 0);
   if (const auto threads = static_cast<std::size_t>(w.team.size()); room.by_thread.size() < threads) room.by_thread.resize(threads);
@@ -251,16 +267,16 @@ void list_elements(SearchRoom& room, std::int32_t count) {
   room.found.resize(room.elements.size());
 }
 
-/// \param farther_than  m, elements that have moved farther since their last search are searched again
-void search(World& w, double farther_than) {
+/// \param share  of its reach by which an element has moved since its last search if it is to be searched again; below 0: all are
+void search(World& w, double share) {
   Contacts& c = w.contacts;
   SearchRoom& room = c.room;
   begin_search(w);
-  const double moved = mark_moved(w, farther_than);
+  mark_moved(w, share);
   mark_new_patches(w);
   place_in_grid(w);
   list_elements(room, w.elements.count);
-  const SearchPass pass{w, w.travel.skin(), moved};
+  const SearchPass pass{w};
   w.team.share_out(static_cast<std::int64_t>(room.re_search.patch.size()), kPatchesAtATime, [&](std::int64_t first, std::int64_t last) {
     for (auto p = static_cast<std::size_t>(first); p < static_cast<std::size_t>(last); ++p)
       room.re_search.patch[p] |= nth(room.re_search.element, w.patches.element[p]);
@@ -296,7 +312,7 @@ void search_all(World& w) {
 void search_contacts(World& w) {
   if (!w.travel.is_searched() || patches_lie_apart(w)) return search_all(w);
   // Not only those for which it is time: others would be due a few steps later.
-  search(w, 0.25 * w.travel.skin());
+  search(w, 0.5);
 }
 
 }  // namespace voussoir::solver

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -27,8 +29,9 @@ struct OverlapFound {
 /// Lists pairs of a searched element in its current pose with its neighbours that are not searched or come after it, and with the base.
 /// \pre SearchRoom::box has all elements in their current poses
 /// \param near  elements whose boxes are within the search distance
-/// \param travel  m, of both elements together before one of them is listed again
-void list_overlaps_of(const World& w, std::int32_t element, std::span<const std::int32_t> near, double travel,
+/// \param gap_of  m, by neighbour: by how much the two may come nearer before one of them is listed again
+using GapOf = std::function<double(std::int32_t other)>;
+void list_overlaps_of(const World& w, std::int32_t element, std::span<const std::int32_t> near, const GapOf& gap_of,
                       std::vector<OverlapPair>& pairs);
 
 /// Replaces the pairs of searched elements by those that the search has listed (SearchRoom). Other pairs are kept.

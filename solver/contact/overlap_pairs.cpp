@@ -46,14 +46,14 @@ void activate(World& w, std::span<const OverlapPair> pairs) {
 
 }  // namespace
 
-void list_overlaps_of(const World& w, std::int32_t element, std::span<const std::int32_t> near, double travel,
+void list_overlaps_of(const World& w, std::int32_t element, std::span<const std::int32_t> near, const GapOf& gap_of,
                       std::vector<OverlapPair>& pairs) {
   const std::vector<std::uint8_t>& again = w.contacts.room.re_search.element;
   for (const std::int32_t other : near) {
     if (nth(again, other) != 0 && other < element) continue;
-    consider(w, std::min(element, other), std::max(element, other), travel, pairs);
+    consider(w, std::min(element, other), std::max(element, other), gap_of(other), pairs);
   }
-  if (w.has_base && !is_fixed(w, element)) consider(w, element, w.elements.base, travel, pairs);
+  if (w.has_base && !is_fixed(w, element)) consider(w, element, w.elements.base, gap_of(w.elements.base), pairs);
 }
 
 // Found ones by their first elements, by counting, then those that stay between them.

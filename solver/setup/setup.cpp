@@ -172,7 +172,9 @@ void set_up_laws(World& w, const cases::Case& c) {
 void choose_ties(World& w, const cases::Case& c) { cases::finds_rest(c.analysis) ? set_up_stiff_ties(w) : set_up_ties(w); }
 
 void set_up_travel(World& w, const cases::Case& /*c*/) {
-  w.travel = Travel(w.elements, choose_skin(w.model));
+  // With several rates all else is faster, so searches weigh more, and reaches of their own pay.
+  constexpr double kAhead = 0.01;  // s
+  w.travel = Travel(w.elements, choose_skin(w.model), w.multirate.wanted > 1 ? kAhead : 0.0);
   w.travel.set_margin(search_margin(w, w.travel.skin()));
 }
 

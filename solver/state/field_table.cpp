@@ -177,6 +177,7 @@ void add_multirate(Table& t, World& w) {
   const auto highest = static_cast<std::int64_t>(m.every.size()) - 1;
   t.push_back(field("contact_level", "-", "element", m.of_contacts, 0, highest));
   t.push_back(field("moved_at_level", "-", "batch", w.moved_at, 0, highest));
+  t.push_back(field("search_reach", "m", "element", *w.travel.state().reach));
 }
 
 // When the next search is due depends on where elements were at the last one. The order of candidates decides between equals.

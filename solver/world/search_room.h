@@ -58,6 +58,7 @@ struct FoundRun {
 struct SearchRoom {
   bool stale = true;                    // the grid must be filled with all elements
   std::vector<geometry::Box3> box;      // by element, its current bounding box
+  std::vector<double> moved;            // m, by element: bound on its displacement since its search; 0: searched now
   std::vector<std::uint8_t> looked_at;  // by element: the element, or some of its patches, are searched
   std::vector<std::int32_t> elements;   // the searched elements, ascending
   std::vector<FoundRun> found;          // by entry of `elements`

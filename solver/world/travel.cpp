@@ -16,8 +16,9 @@ std::size_t batch_of(std::int32_t element) { return static_cast<std::size_t>(ele
 
 }  // namespace
 
-Travel::Travel(const Elements& e, double skin) : skin_(skin) {
+Travel::Travel(const Elements& e, double skin, double ahead) : skin_(skin), ahead_(ahead) {
   const std::size_t rows = e.ux.size(), batches = rows / kernels::kBatch;
+  reach_.assign(rows, 0.5 * skin);
   for (Array<double>* a : {&bound_, &safe_}) a->assign(rows, 0.0);
   for (Array<double>* a : {&batch_bound_, &batch_safe_, &largest_radius_}) a->assign(batches, 0.0);
   active_.assign(batches, 0);
@@ -38,7 +39,7 @@ double Travel::displacement(Elements& e, std::int32_t element) const noexcept {
 double Travel::displacement_over_limit(Elements& e, std::int32_t element) const noexcept {
   if (!is_searched()) return 0.0;
   const double moved = displacement(e, element);
-  return moved > limit() ? moved : 0.0;
+  return moved > reach(element) - margin_ ? moved : 0.0;
 }
 
 Travel::Pose Travel::searched_pose(std::int32_t element) const noexcept {
@@ -51,6 +52,9 @@ void Travel::remember(const Elements& e, std::int32_t element) noexcept {
   ux_[i] = e.ux[i], uy_[i] = e.uy[i], uz_[i] = e.uz[i];
   qw_[i] = e.qw[i], qx_[i] = e.qx[i], qy_[i] = e.qy[i], qz_[i] = e.qz[i];
   bound_[i] = safe_[i] = 0.0;
+  if (!looks_ahead()) return;
+  const double speed = norm(Vec3{e.vx[i], e.vy[i], e.vz[i]}) + norm(Vec3{e.wx[i], e.wy[i], e.wz[i]}) * e.radius[i];
+  reach_[i] = std::max(0.5 * skin_, std::min(kFarthest, ahead_ * speed));
 }
 
 void Travel::remember_all(const Elements& e) {
@@ -61,7 +65,8 @@ void Travel::remember_all(const Elements& e) {
 kernels::TravelView Travel::view(const Elements& e, double dt) noexcept {
   return {.at = searched_poses(e),
           .dt = dt,
-          .limit = limit(),
+          .reach = reach_.data(),
+          .margin = margin_,
           .element = {bound_.data(), safe_.data()},
           .active = active_.data(),
           .batch = {batch_bound_.data(), batch_safe_.data()},
@@ -88,10 +93,10 @@ void Travel::ask_for_search(std::int32_t steps) noexcept {
 
 bool Travel::search_due(double displacement) noexcept {
   const bool asked_for = countdown_ > 0 && --countdown_ == 0;
-  return !is_searched() || asked_for || displacement > limit();
+  return !is_searched() || asked_for || displacement > 0.0;
 }
 
-Travel::State Travel::state() noexcept { return {{&ux_, &uy_, &uz_, &qw_, &qx_, &qy_, &qz_}, &due_at_once_, &countdown_}; }
+Travel::State Travel::state() noexcept { return {{&ux_, &uy_, &uz_, &qw_, &qx_, &qy_, &qz_}, &reach_, &due_at_once_, &countdown_}; }
 
 void Travel::restart(std::size_t poses) {
   for (Array<double>* a : state().poses) a->assign(poses, 0.0);
@@ -101,7 +106,7 @@ void Travel::restart(std::size_t poses) {
 std::size_t Travel::bytes() const noexcept {
   std::size_t numbers = 0;
   for (const Array<double>* a :
-       {&ux_, &uy_, &uz_, &qw_, &qx_, &qy_, &qz_, &bound_, &safe_, &batch_bound_, &batch_safe_, &largest_radius_}) {
+       {&ux_, &uy_, &uz_, &qw_, &qx_, &qy_, &qz_, &reach_, &bound_, &safe_, &batch_bound_, &batch_safe_, &largest_radius_}) {
     numbers += a->size();
   }
   return numbers * sizeof(double) + active_.size();

@@ -26,19 +26,23 @@ struct Elements;
 class Travel {
  public:
   Travel() = default;
-  /// \param skin  m, see skin()
-  Travel(const Elements& e, double skin);
+  /// \param skin  m, see skin() \param ahead  s, see reach()
+  Travel(const Elements& e, double skin, double ahead = 0.0);
 
-  /// The skin [m]: a search lists the pairs that may touch before either element has moved by half of this.
+  /// The skin [m]: the least reach of two elements together.
   [[nodiscard]] double skin() const noexcept { return skin_; }
-  /// Distance [m] that an element may move before it is searched again.
-  [[nodiscard]] double limit() const noexcept { return 0.5 * skin_ - margin_; }
+  /// Reach of an element [m]: its last search has listed the pairs that may touch before it has moved by this. Half of the skin, or as far
+  /// as it would have come in the time `ahead` at the speed that it had then, whichever is more, but no more than kFarthest.
+  [[nodiscard]] double reach(std::int32_t element) const noexcept { return nth(reach_, element); }
+  /// Whether elements have reaches of their own.
+  [[nodiscard]] bool looks_ahead() const noexcept { return ahead_ > 0.0; }
+  static constexpr double kFarthest = 0.04;  // m
   /// Sets a margin [m] by which elements are searched earlier, since due searches may have to wait. To be called before the first step.
   void set_margin(double margin) noexcept { margin_ = margin; }
 
   // Upper bound, exceeded by little, on the displacement of any point of an element [m]. \pre is_searched()
   [[nodiscard]] double displacement(Elements& e, std::int32_t element) const noexcept;
-  /// The displacement if above the limit, else 0; 0 before the first search.
+  /// The displacement if an element has to be searched again for it, else 0; 0 before the first search.
   [[nodiscard]] double displacement_over_limit(Elements& e, std::int32_t element) const noexcept;
   struct Pose {
     Vec3 u;  // m, displacement of the centroid
@@ -76,12 +80,13 @@ class Travel {
   /// Clears the request, as the search is being done.
   void answer_search() noexcept { countdown_ = 0; }
   /// Whether a search is due in this step. To be called once per step, as it counts down to a requested search.
-  /// \param displacement  m, largest displacement above the limit by kernels::advance_travel
+  /// \param displacement  m, the largest for which an element has to be searched again; 0: none
   [[nodiscard]] bool search_due(double displacement) noexcept;
 
   // State and restoring.
   struct State {
     std::array<Array<double>*, 7> poses;  // ux, uy, uz, qw, qx, qy, qz; empty before the first search
+    Array<double>* reach;                 // constant where nothing looks ahead
     bool* due_at_once;
     std::int32_t* countdown;
   };
@@ -97,9 +102,11 @@ class Travel {
   [[nodiscard]] kernels::SearchedPoses searched_poses(const Elements& e) const noexcept;
 
   double skin_ = 0.0, margin_ = 0.0;                // m
+  double ahead_ = 0.0;                              // s
   bool due_at_once_ = true;                         // state
   std::int32_t countdown_ = 0;                      // steps to a requested search, 0: none (state)
   Array<double> ux_, uy_, uz_, qw_, qx_, qy_, qz_;  // m, -; poses at the last search, by element (state)
+  Array<double> reach_;                             // m, by element (state where elements have their own)
   Array<double> bound_, safe_;                      // m, by element, see kernels::TravelBounds
   Array<double> batch_bound_, batch_safe_;          // m, by batch
   Array<double> largest_radius_;                    // m, by batch

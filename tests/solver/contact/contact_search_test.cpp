@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <tuple>
 
@@ -33,20 +34,22 @@ std::set<Pair> pairs(const solver::World& w, std::int64_t from = 0) {
   return all;
 }
 
-}  // namespace
-
-TEST_CASE("at every moment the candidates of searched patches hold all that is near, whoever was searched when") {
-  const cases::Case c = small_wall(4, 8);
+/// \param multirate  with several rates elements have reaches of their own
+void check_that_near_pairs_are_listed(int multirate) {
+  CAPTURE(multirate);
+  cases::Case c = small_wall(4, 8);
+  c.time.multirate = multirate;
   const cases::Model m = cases::build_model(c);
   const cases::GroundMotion g = strong_shaking();
   solver::Simulation sim(c, m, g, {});
   solver::World& w = sim.world();
   const solver::Contacts& contacts = w.contacts;
-  std::size_t near = 0;
+  std::size_t near = 0, far_reaching = 0;
   for (int i = 0; i < 5000; ++i) {
     sim.step({});
     sim.cracks().clear();
     if (i % 20 != 0) continue;
+    for (std::int32_t e = 0; e < w.elements.count; ++e) far_reaching += w.travel.reach(e) > 0.6 * w.travel.skin();
     solver::RunState plan, plan_again;
     solver::Simulation again(c, m, g, {});
     solver::restore(again, plan_again, solver::save(sim, plan));
@@ -64,9 +67,16 @@ TEST_CASE("at every moment the candidates of searched patches hold all that is n
       ++near;
     }
   }
-  CHECK(contacts.searches > 100);
-  CHECK(near > 500);
-  MESSAGE(contacts.searches << " searches; " << near << " pairs near each other");
+  CHECK(contacts.searches > (multirate == 1 ? 100 : 50));
+  CHECK(near > 300);
+  CHECK((far_reaching > 500) == (multirate > 1));
+  MESSAGE(contacts.searches << " searches; " << near << " pairs near each other; reaches beyond the skin's half: " << far_reaching);
+}
+
+}  // namespace
+
+TEST_CASE("at every moment the candidates of searched patches hold all that is near, whoever was searched when") {
+  for (const int multirate : {1, 4}) check_that_near_pairs_are_listed(multirate);
 }
 
 TEST_CASE("a search lists whoever can come near before one of the two is searched again") {
@@ -99,6 +109,31 @@ TEST_CASE("a search lists whoever can come near before one of the two is searche
   place(0.0);
   solver::search_contacts(w);
   CHECK(between() == 2);
+}
+
+TEST_CASE("with several rates a search lists whom a fast element may come to in 10 ms, and waits until it has come half of that way") {
+  cases::Case c = small_wall(1, 1);
+  const double skin = solver::Simulation(c, cases::build_model(c), {}, {}).world().travel.skin();
+  c.time.multirate = 2;
+  c.blocks.push_back(brick(0, 1, 0.2 + 0.5 * skin + 0.029, 0.5));
+  const cases::Model m = cases::build_model(c);
+  for (const double speed : {0.0, 3.0}) {
+    CAPTURE(speed);
+    solver::Simulation sim(c, m, {}, {});
+    solver::World& w = sim.world();
+    w.elements.vx[0] = speed;
+    solver::search_all(w);
+    const auto between = std::ranges::count_if(w.contacts.element, [&](std::int32_t e) { return e != w.elements.base; });
+    CHECK(between == (speed > 0.0 ? 2 : 0));
+    CHECK(w.travel.reach(0) == doctest::Approx(speed > 0.0 ? 0.03 : 0.5 * skin));
+    CHECK(w.travel.reach(1) == 0.5 * skin);
+    w.elements.ux[0] = 0.6 * skin / std::sqrt(2.0);  // counts as 0.6 skin, for it may have turned too
+    CHECK((w.travel.displacement_over_limit(w.elements, 0) > 0.0) == (speed == 0.0));
+    const std::int64_t searches = w.contacts.searches;
+    solver::search_contacts(w);
+    CHECK(w.contacts.searches == searches + 1);
+    CHECK((w.travel.searched_pose(0).u.x > 0.0) == (speed == 0.0 || 0.6 * skin > 0.015));
+  }
 }
 
 TEST_CASE("a support that begins elsewhere than it settled is looked for in its first step") {
