@@ -146,10 +146,19 @@ std::string with_names(const Model& model, const geometry::ModelError& error) {
   return message;
 }
 
-/// A remedy for faults of stones from a file.
-std::string what_to_do(const geometry::ModelError& error) {
+/// A remedy for faults of stones from a file, and of what spans between walls.
+std::string what_to_do(const Model& model, const geometry::ModelError& error) {
   const std::string message = error.what();
   const auto says = [&](const char* words) { return message.find(words) != std::string::npos; };
+  const auto is = [&](int element, auto holds) {
+    return element >= 0 && static_cast<std::size_t>(element) < model.blocks.size() && holds(nth(model.blocks, element));
+  };
+  const auto spans = [](const Block& b) { return b.span >= 0 || b.vault >= 0; };
+  const auto stands = [](const Block& b) { return b.wall >= 0; };
+  for (const auto& [over, wall] : {std::pair{error.subject(), error.other()}, std::pair{error.other(), error.subject()}})
+    if (says("overlaps") && is(over, spans) && is(wall, stands))
+      return "; " + quoted("corners") + " of " + key_of(model, over) + " keeps it within four points: leave out where that wall stands";
+  if (!is(std::max(error.subject(), error.other()), [](const Block& b) { return b.set >= 0; })) return "";
   if (says("overlaps")) return "; part them where they were drawn, or raise stones.snap if faces were meant to touch";
   if (says("touches nothing") || says("held by nothing"))
     return "; faces farther apart than stones.snap do not touch: move it, raise snap, give gap if there is mortar between, fix it "
@@ -161,9 +170,7 @@ std::string what_to_do(const geometry::ModelError& error) {
 [[noreturn]] void refuse(const Model& model, const geometry::ModelError& error) {
   // The later of two blocks in the case is at fault.
   const int later = std::max(error.subject(), error.other());
-  const bool of_file = later >= 0 && static_cast<std::size_t>(later) < model.blocks.size() && nth(model.blocks, later).set >= 0;
-  throw InputError(key_of(model, later),
-                   with_names(model, error) + (of_file ? what_to_do(error) : "") + origin_note(model.origin, error.what()));
+  throw InputError(key_of(model, later), with_names(model, error) + what_to_do(model, error) + origin_note(model.origin, error.what()));
 }
 
 /// Approximate number of segments on the faces of a block: that of its bounding box.

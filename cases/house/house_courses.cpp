@@ -55,28 +55,38 @@ bool fits(Tick at, const std::vector<Tick>& beside, Tick lowest) {
 
 /// The value nearest to that of a level that goes with all others, so that faults told together are mended together: first that which ends
 /// the course where `first` does, or makes it as low as it may be; else the nearest. \param beside  heights that stay, or are advised
-Tick advised(const Level& first, const Level& later, const std::vector<Tick>& beside, Tick lowest) {
+std::optional<Tick> advised(const Level& first, const Level& later, const std::vector<Tick>& beside, Tick lowest) {
+  const auto good = [&](Tick at) {
+    const auto holds = [&](Interval i) { return i.low <= at && at <= i.high; };
+    return fits(at, beside, lowest) && fits(at - later.below, beside, lowest) &&
+           (later.allowed.empty() || std::ranges::any_of(later.allowed, holds));
+  };
   const auto height = [&](Tick value) { return later.at + later.sign * (value - ticks(later.value)); };
   const Tick onto = ticks(later.value) + later.sign * (first.at - later.at);
   const Tick simple = later.is_size && onto <= 0 ? lowest : onto;
-  if (fits(height(simple), beside, lowest)) return simple;
-  Tick best = simple, way = -1;
+  if (good(height(simple))) return simple;
+  std::vector<Tick> heights;
   for (const Tick other : beside) {
-    for (const Tick at : {other, other - lowest, other + lowest}) {
-      const Tick value = ticks(later.value) + later.sign * (at - later.at), on = std::abs(at - later.at);
-      if ((later.is_size && value <= 0) || !fits(at, beside, lowest) || (way >= 0 && on >= way)) continue;
-      best = value, way = on;
-    }
+    for (const Tick by : {Tick{0}, -lowest, lowest}) heights.push_back(other + by), heights.push_back(other + by + later.below);
+  }
+  for (const Interval i : later.allowed) heights.push_back(i.low), heights.push_back(i.high);
+  std::optional<Tick> best = later.allowed.empty() ? std::optional(simple) : std::nullopt;
+  Tick way = -1;
+  for (const Tick at : heights) {
+    const Tick value = ticks(later.value) + later.sign * (at - later.at), on = std::abs(at - later.at);
+    if ((later.is_size && value <= 0) || !good(at) || (way >= 0 && on >= way)) continue;
+    best = value, way = on;
   }
   return best;
 }
 
 /// Refuses two levels with less than the least course height between them; the later one in the case is at fault.
-InputError too_near(const Level& first, const Level& later, Tick nearest, Tick lowest) {
+InputError too_near(const Level& first, const Level& later, std::optional<Tick> nearest, Tick lowest) {
   return {later.key, text(later.value) + " m ends a course at " + metres_text(later.at) + " m, " +
                          metres_text(std::abs(later.at - first.at)) + " m from where " +
                          (first.key.empty() ? "the walls begin" : first.key + " ends one") + "; a course of cut bricks is at least " +
-                         metres_text(lowest) + " m high; nearest: " + metres_text(nearest) + " m"};
+                         metres_text(lowest) + " m high" +
+                         (nearest ? "; nearest: " + metres_text(*nearest) + " m" : "; no value near it goes with all other levels")};
 }
 
 }  // namespace
@@ -104,8 +114,8 @@ std::vector<Level> kept_levels(const std::vector<Level>& levels, Tick lowest, Fa
     Level level = levels[i];
     if (level.on >= 0) level.at += nth(moves, level.on).value_or(0);
     const auto near = too_near_to(level);
-    const Tick value = near == good.end() ? ticks(level.value) : advised(*near, level, beside, lowest);
-    moves[i] = level.at + level.sign * (value - ticks(level.value)) - levels[i].at;
+    const std::optional<Tick> value = near == good.end() ? ticks(level.value) : advised(*near, level, beside, lowest);
+    moves[i] = level.at + level.sign * (value.value_or(ticks(level.value)) - ticks(level.value)) - levels[i].at;
     beside.push_back(levels[i].at + *moves[i]);
     if (near != good.end()) faults.add(too_near(*near, level, value, lowest));
   }

@@ -13,11 +13,13 @@ namespace voussoir::cases {
 /// A height at which a course must end, and the key that requires it.
 struct Level {
   Tick at = 0;
-  std::string key;       // empty: the foot of the walls
-  double value = 0.0;    // of the key, m
-  bool is_size = false;  // the key is a height above another level, so above zero
-  int sign = 1;          // the level moves up (1) or down with the value
-  int on = -1;           // index of the level that this one is measured from, and moves with; -1: none
+  std::string key;                  // empty: the foot of the walls
+  double value = 0.0;               // of the key, m
+  bool is_size = false;             // the key is a height above another level, so above zero
+  int sign = 1;                     // the level moves up (1) or down with the value
+  int on = -1;                      // index of the level that this one is measured from, and moves with; -1: none
+  Tick below = 0;                   // what moves with it ends another course so far below it
+  std::vector<Interval> allowed{};  // where it may be; empty: anywhere
 };
 
 /// Refuses levels too near to an earlier one that is kept. \param lowest  course \return those that are kept

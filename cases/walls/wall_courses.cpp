@@ -60,7 +60,12 @@ double line_length(const std::vector<Leg*>& legs) {
 }
 
 /// A length in messages, to a tenth of a millimetre.
-std::string length_text(double v) { return text(std::round(v * 1e4) * 1e-4); }
+std::string length_text(double v) { return text(std::round(v * 1e4) * 1e-4 + 0.0); }
+
+/// A stretch of a leg in messages, along the wall's line as in the case.
+std::string stretch_text(const Leg& leg, double low, double high) {
+  return length_text(leg.place(low)) + " to " + length_text(leg.place(high)) + " m";
+}
 
 /// A stretch of a leg in which a hole may not lie, with what is there.
 struct Obstacle {
@@ -77,7 +82,7 @@ Obstacle meeting_of(const WallsPlan& plan, const Leg& leg, const Station& s) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   const double before = std::min(s.low(leg.half), s.low(-leg.half)), behind = std::max(s.high(leg.half), s.high(-leg.half));
   return {s.end == LegEnd::low ? -kFar : before, s.end == LegEnd::high ? kFar : behind,
-          "the " + other_leg(plan, s).tag + " meets it from " + length_text(before) + " to " + length_text(behind) + " m"};
+          "the " + other_leg(plan, s).tag + " meets it from " + stretch_text(leg, before, behind)};
 }
 
 /// Obstacles for a hole in a leg: other openings, the free ends.
@@ -89,19 +94,20 @@ std::vector<Obstacle> obstacles_in(const Leg& leg, const LegHole& hole) {
     if (other.opening == hole.opening || !other.height.overlaps(hole.height)) continue;
     all.push_back({other.low, other.high,
                    opening_key(leg.wall, other.opening, kKeys[static_cast<std::size_t>(other.kind)]) + " is from " +
-                       length_text(other.low) + " to " + length_text(other.high) + " m"});
+                       stretch_text(leg, other.low, other.high)});
   }
   for (const Hill& h : leg.hills) {  // the upright side of a parapet or a step
     for (const double s : {h.from, h.to}) {
       const double inside = s == h.from ? kBesideStep : -kBesideStep;
       const double here = leg.lowest_top(s + inside, s + inside), outside = leg.lowest_top(s - inside, s - inside);
       if (here > outside + kStep && metres(hole.height.high) > outside + kPlanTolerance)
-        all.push_back({s, s, "its top has a step at " + length_text(s) + " m, up from " + length_text(outside) + " m above the base"});
+        all.push_back(
+            {s, s, "its top has a step at " + length_text(leg.place(s)) + " m, up from " + length_text(outside) + " m above the base"});
     }
   }
   if (leg.ring) return all;
   if (leg.end(LegEnd::low) == nullptr) all.push_back({-kFar, 0.0, "it begins"});
-  if (leg.end(LegEnd::high) == nullptr) all.push_back({leg.length(), kFar, "it ends at " + length_text(leg.length()) + " m"});
+  if (leg.end(LegEnd::high) == nullptr) all.push_back({leg.length(), kFar, "it ends at " + length_text(leg.place(leg.length())) + " m"});
   return all;
 }
 
@@ -109,7 +115,7 @@ std::vector<Obstacle> obstacles_in(const Leg& leg, const LegHole& hole) {
 std::vector<Obstacle> obstacles_for(const WallsPlan& plan, const Leg& leg, const LegHole& hole) {
   std::vector<Obstacle> all;
   for (const Station& s : leg.stations) {
-    if (hole.height.overlaps(other_leg(plan, s).height)) all.push_back(meeting_of(plan, leg, s));
+    if (hole.height.overlaps(height_there(plan, s))) all.push_back(meeting_of(plan, leg, s));
   }
   std::ranges::move(obstacles_in(leg, hole), std::back_inserter(all));
   return all;
@@ -137,8 +143,8 @@ void check_place(const WallSpec& wall, const WallsPlan& plan, const Leg& leg, co
       nearest = change;
   };
   for (const Obstacle& o : all) attempt((o.high + least - hole.low) / slope), attempt((o.low - least - hole.high) / slope_high);
-  throw InputError(key, text(value) + " m: the " + leg.tag + " would be open from " + length_text(hole.low) + " to " +
-                            length_text(hole.high) + " m, and " + hit->words + "; at least " + text(least) +
+  throw InputError(key, text(value) + " m: the " + leg.tag + " would be open from " + stretch_text(leg, hole.low, hole.high) +
+                            " along the line of the wall, and " + hit->words + "; at least " + text(least) +
                             " m of wall, a fifth of a brick, lie between them" +
                             (std::isfinite(nearest) ? "; nearest: " + text(std::round((value + nearest) * 1e6) * 1e-6) + " m"
                                                     : "; there is no room for it in this side"));
@@ -231,9 +237,12 @@ void add_beam_levels(const std::vector<WallFloor>& floors, const WallsPlan& plan
       return plan.group[leg.wall] == group && std::ranges::any_of(leg.pockets, [&](const Pocket& p) { return p.floor == i; });
     });
     if (!here) continue;
-    const Interval height = plan.floors[i].height;
-    if (floors[i].level) levels.push_back({height.high, indexed_key("floor", i, "level"), *floors[i].level, true});
-    levels.push_back({height.low, indexed_key("floor", i, "beam"), floors[i].beams.beam[1], true, -1});
+    const BayFloor& laid = plan.floors[i];
+    const Interval height = laid.height;
+    const int on = floors[i].level ? static_cast<int>(levels.size()) : -1;
+    if (floors[i].level)
+      levels.push_back({height.high, indexed_key("floor", i, "level"), *floors[i].level, true, 1, -1, height.length(), laid.levels});
+    levels.push_back({height.low, indexed_key("floor", i, "beam"), floors[i].beams.beam[1], true, -1, on, 0, laid.undersides});
   }
 }
 
@@ -248,7 +257,7 @@ void add_courses(Interval between, Tick brick, Courses& courses) {
 std::optional<std::string> in_the_way_of(const WallSpec& wall, const WallsPlan& plan, const Leg& leg, const Pocket& pocket) {
   const double least = least_piece(wall) - kPlanTolerance;
   for (const Station& s : leg.stations) {  // cut as obliquely as the walls that meet there
-    if (!other_leg(plan, s).height.overlaps(pocket.height)) continue;
+    if (!height_there(plan, s).overlaps(pocket.height)) continue;
     const bool before = s.end != LegEnd::low && shorter_side(pocket.high, s.low, leg.half) >= least;
     const bool behind = s.end != LegEnd::high && shorter_side(s.high, pocket.low, leg.half) >= least;
     if (!before && !behind) return meeting_of(plan, leg, s).words;

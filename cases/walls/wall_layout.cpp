@@ -16,21 +16,10 @@ namespace {
 
 constexpr double kLeastShare = 0.2;  // of a brick that is cut along its top
 
-/// Whether the other leg of a station reaches into a course there.
-bool rises_to(const WallsPlan& plan, const Station& s, Interval height) {
-  const Meeting& m = plan.meetings[s.meeting];
-  const Leg& other = plan.legs[s.host ? m.guest : m.host];
-  if (other.hills.empty()) return other.height.overlaps(height);
-  const auto there = std::ranges::find(other.stations, s.meeting, &Station::meeting);
-  const double from = std::min(there->low(other.half), there->low(-other.half)),
-               to = std::max(there->high(other.half), there->high(-other.half));
-  return Interval{other.height.low, ticks(other.highest(from, to))}.overlaps(height);
-}
-
 /// Whether a leg runs through the other one at a station in this course.
 bool runs_through(const WallsPlan& plan, const Station& s, int course, Interval height) {
   const Meeting& m = plan.meetings[s.meeting];
-  if (!rises_to(plan, s, height)) return true;
+  if (!height_there(plan, s).overlaps(height)) return true;
   const bool turn_of_guest = m.toothed && course % 2 == 1 && (course / 2) % m.turns == m.turn;
   return s.host ? !turn_of_guest : turn_of_guest;
 }
@@ -152,7 +141,7 @@ void check_each_other(const std::vector<FilledPlace>& beams, double least, const
     for (const FilledPlace* beside : {next, last})
       if (beside != nullptr) later = std::max(later, beside->floor), other = std::min(other, beside->other);
     const std::string place = " m of the " + leg.tag + ", where " + indexed_key("floor", other, "") + " has them";
-    const auto at = [](double s) { return text(std::round(s * 1e4) * 1e-4); };
+    const auto at = [&](double s) { return text(std::round(leg.place(s) * 1e4) * 1e-4); };
     if (b.crossed)
       return faults.add(
           {indexed_key("floor", later, "corners"), "puts beams across those from " + at(b.low.at) + " to " + at(b.high.at) + place});
@@ -236,6 +225,20 @@ std::array<double, 2> brick_stretch(const WallSpec& wall, const WallsPlan& plan,
   std::array<double, 2> range{1.0, 1.0};
   for (const Field& f : fields_of(wall, plan, leg)) range = {std::min(range[0], f.scale), std::max(range[1], f.scale)};
   return range;
+}
+
+double lost_in_bends(const WallSpec& wall, const WallsPlan& plan, const Leg& leg) {
+  if (leg.facets.size() < 2) return 0.0;
+  const Courses& courses = plan.courses[plan.group[leg.wall]];
+  double line = 0.0, laid = 0.0;
+  for (int c = 0; c < std::min(2, static_cast<int>(courses.size())); ++c) {
+    const Interval height = courses[static_cast<std::size_t>(c)];
+    if (!leg.height.overlaps(height)) continue;
+    for (const Span& s : spans_of(plan, leg, c, height)) line += (s.high.cut.at - s.low.cut.at) * wall.thickness;
+    for (const PlanBrick& b : lay_wall_course(wall, plan, leg, c))
+      laid += 0.5 * norm(cross(b.corners[2] - b.corners[0], b.corners[3] - b.corners[1]));
+  }
+  return line > 0.0 ? 1.0 - laid / line : 0.0;
 }
 
 void check_layout(const std::vector<WallSpec>& walls, const WallsPlan& plan) {

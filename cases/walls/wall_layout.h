@@ -38,6 +38,9 @@ std::vector<PlanBrick> lay_wall_course(const WallSpec& wall, const WallsPlan& pl
 /// The greatest and the least length of a whole brick along the wall, over that of the wall's brick.
 std::array<double, 2> brick_stretch(const WallSpec& wall, const WallsPlan& plan, const Leg& leg);
 
+/// Share of the volume along a leg's line that its straight blocks over bends leave out, mean of an even and an odd course; 0: no bends.
+double lost_in_bends(const WallSpec& wall, const WallsPlan& plan, const Leg& leg);
+
 /// \throw InputError or InputErrors: pieces of wall shorter than a fifth of a brick, bends too sharp for the thickness
 void check_layout(const std::vector<WallSpec>& walls, const WallsPlan& plan);
 

@@ -160,6 +160,12 @@ Vec3 Leg::at(double s, double d) const noexcept {
   return f.from + d / (1.0 + dot(before, f.across)) * (before + f.across);
 }
 
+double Leg::place(double s) const noexcept {
+  std::size_t i = facets.size() - 1;
+  while (i > 0 && s < facets[i].start) --i;
+  return facets[i].place + (s - facets[i].start);
+}
+
 const Station* Leg::end(LegEnd which) const noexcept {
   for (const Station& s : stations) {
     if (s.end == which) return &s;

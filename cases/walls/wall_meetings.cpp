@@ -157,9 +157,21 @@ class Finder {
     throw InputError(wall_key(later, "points"), "the " + leg(mine.leg).tag + " and the " + leg(other.leg).tag + problem);
   }
 
+  /// Refuses a wall whose foot lies in the upper half of one along which it stands, once for each pair of walls.
+  void refuse_sunk(LegSide a, LegSide b) {
+    const bool a_on_b = leg(a.leg).height.low > leg(b.leg).height.low;
+    const Leg &upper = leg(a_on_b ? a.leg : b.leg), &lower = leg(a_on_b ? b.leg : a.leg);
+    if (upper.height.low <= (lower.height.low + lower.eaves) / 2 || upper.height.low >= lower.eaves) return;
+    if (!sunk_.insert(std::minmax(upper.wall, lower.wall)).second) return;
+    throw InputError(wall_key(upper.wall, "base"), text(walls_[upper.wall].base) + " m lies in the " + lower.tag + ", along which the " +
+                                                       upper.tag + " stands; nearest: " + metres_text(lower.eaves) + " m, its top");
+  }
+
   void meet(LegSide a, LegSide b) {
     if (sine(a, b) < kLeastSine) {
-      if (overlap(a, b, false))
+      if (!overlap(a, b, false)) return;
+      refuse_sunk(a, b);
+      if (!sunk_.contains(std::minmax(leg(a.leg).wall, leg(b.leg).wall)))
         refuse(a, b, " overlap at an angle below 30 degrees; a wall that two buildings share is given once, and others end in it");
       return;
     }
@@ -230,6 +242,7 @@ class Finder {
   const std::vector<WallSpec>& walls_;
   WallsPlan& plan_;
   std::set<std::pair<std::size_t, std::size_t>> own_;            // legs before and behind a corner
+  std::set<std::pair<std::size_t, std::size_t>> sunk_;           // walls of which one begins in the other: told
   std::map<std::pair<std::size_t, LegEnd>, FreeEnd> free_ends_;  // by leg
 };
 

@@ -15,6 +15,7 @@
 #include "cases/walls/wall_layout.h"
 #include "cases/walls/wall_legs.h"
 #include "cases/walls/wall_meetings.h"
+#include "cases/walls/wall_storeys.h"
 #include "cases/walls/wall_tops.h"
 
 namespace voussoir::cases {
@@ -108,6 +109,7 @@ WallsPlan plan_walls(const std::vector<WallSpec>& walls, const WallSpans& spans)
   faults.raise();
   finish_hills(walls, plan);
   check_layout(walls, plan);
+  find_wall_storeys(plan);
   return plan;
 }
 

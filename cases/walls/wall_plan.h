@@ -92,13 +92,17 @@ struct Leg {
   std::vector<Station> stations;  // ascending
   std::vector<LegHole> holes;     // ascending
   std::vector<Pocket> pockets;
-  std::vector<Hill> hills;  // ascending
-  Tick eaves = 0;           // above the base: the height of its wall
-  Interval height;          // above the base, up to the highest of its hills
+  std::vector<Hill> hills;    // ascending
+  Tick eaves = 0;             // above the base: the height of its wall
+  int storey = 1;             // number of its lowest storey
+  std::vector<Tick> storeys;  // above the base, ascending: where its others begin
+  Interval height;            // above the base, up to the highest of its hills
 
   [[nodiscard]] double length() const noexcept { return facets.back().start + facets.back().length; }
   /// The point (s, d) in plan; across a bend d runs along the bisector.
   [[nodiscard]] Vec3 at(double s, double d) const noexcept;
+  /// The place along the wall's line from its first point, as in the case [m]. \param s  may lie beyond the ends
+  [[nodiscard]] double place(double s) const noexcept;
   [[nodiscard]] const Station* end(LegEnd which) const noexcept;
   /// The highest that bricks reach between two places [m, of s], above the base.
   [[nodiscard]] double highest(double from, double to) const noexcept;
@@ -130,10 +134,20 @@ struct BayBeam {
   std::array<std::array<double, 2>, 2> ends{};  // m, by end, by side
 };
 
+/// A wall that stands upon one of the two between which a floor spans, along it. Where it is thinner, beams lie on the ledge before it.
+struct WallUpon {
+  std::size_t leg = 0, side = 0;
+  double inner = 0.0;    // m, d of its face to the bay
+  double setback = 0.0;  // m, of that face behind the inner face of the side; negative: before it
+};
+
 struct BayFloor {
   Bay bay;
   Interval height;                          // above the base
   std::vector<std::vector<BayBeam>> rooms;  // between the walls that meet the two
+  std::vector<std::size_t> between;         // legs that bound rooms, or that beams go through
+  std::vector<WallUpon> upon;
+  std::vector<Interval> levels, undersides;  // above the base, ascending: where the beams may end above, and below at the level of the case
 };
 
 struct WallsPlan {
@@ -145,10 +159,14 @@ struct WallsPlan {
   std::vector<BayFloor> floors;    // by floor of the case
   std::vector<Bay> roofs;          // by roof of the case
   std::vector<Bay> vaults;         // by vault of the case
+  bool storeys = false;            // whether any wall has a second storey
 };
 
 /// Checks all walls, and what spans between them, and lays out their plan. \throw InputError, or InputErrors with all that is at fault
 WallsPlan plan_walls(const std::vector<WallSpec>& walls, const WallSpans& spans = {});
+
+/// The heights up to which the other leg of a station rises there.
+Interval height_there(const WallsPlan& plan, const Station& s);
 
 /// Key of a wall: "wall[1].points".
 std::string wall_key(std::size_t wall, const char* field);

@@ -114,6 +114,16 @@ double Leg::highest(double from, double to) const noexcept {
   return most;
 }
 
+Interval height_there(const WallsPlan& plan, const Station& s) {
+  const Meeting& m = plan.meetings[s.meeting];
+  const Leg& other = plan.legs[s.host ? m.guest : m.host];
+  if (other.hills.empty()) return other.height;
+  const auto there = std::ranges::find(other.stations, s.meeting, &Station::meeting);
+  const double from = std::min(there->low(other.half), there->low(-other.half)),
+               to = std::max(there->high(other.half), there->high(-other.half));
+  return {other.height.low, ticks(other.highest(from, to))};
+}
+
 double Leg::lowest_top(double from, double to) const noexcept {
   double least = highest(from, to);  // a hill is highest within, so its top is lowest at an end
   std::vector<double> places{from, to};

@@ -15,9 +15,12 @@
 #include "cases/walls/spans/wall_vaults.h"
 #include "cases/walls/wall_layout.h"
 #include "cases/walls/wall_plan.h"
+#include "cases/walls/wall_storeys.h"
 
 namespace voussoir::cases {
 namespace {
+
+constexpr double kLost = 1e-4;  // share of volume: less is not told
 
 std::string loaded_name(const WallSpec& wall) { return wall.material + " under " + text(wall.load) + " kg/m on " + wall.name; }
 
@@ -51,7 +54,7 @@ void add_bricks(const WallSpec& wall, const WallsPlan& plan, const Leg& leg, std
   const HousePlan& bricks = plan.bricks[leg.wall];
   Block block;
   block.kind = PartKind::walling;
-  block.tag = leg.tag;
+  block.tag = part_tag(plan, leg, height);
   block.wall = static_cast<std::int32_t>(leg.wall);
   block.material = height.high == leg.eaves ? materials.top : materials.bricks;
   block.segment_size = segment_size_of(bricks.brick_length, bricks.brick_width, bricks.brick_height);
@@ -77,7 +80,8 @@ void add_lintels(const WallSpec& wall, const Leg& leg, const WallMaterials& mate
   }
 }
 
-void add_arches(const WallSpec& wall, const HousePlan& bricks, const Leg& leg, const WallMaterials& materials, std::vector<Block>& blocks) {
+void add_arches(const WallSpec& wall, const WallsPlan& plan, const Leg& leg, const WallMaterials& materials, std::vector<Block>& blocks) {
+  const HousePlan& bricks = plan.bricks[leg.wall];
   const Tick thickness = ticks(wall.thickness), rows = rows_through(bricks, thickness);
   for (const LegHole& h : leg.holes) {
     if (h.kind != HoleKind::arch) continue;
@@ -85,7 +89,7 @@ void add_arches(const WallSpec& wall, const HousePlan& bricks, const Leg& leg, c
     const Interval span{ticks(h.low + arch.springer), ticks(h.high - arch.springer)};
     Block block;
     block.kind = PartKind::arch_stone;
-    block.tag = leg.tag;
+    block.tag = part_tag(plan, leg, h.height);
     block.wall = static_cast<std::int32_t>(leg.wall);
     block.material = materials.arches[h.opening];
     block.segment_size = segment_size_of(bricks.brick_length, bricks.brick_width, bricks.brick_height);
@@ -127,7 +131,7 @@ std::vector<Block> blocks_of_walls(const std::vector<WallSpec>& walls, const Wal
       if (leg.height.overlaps(courses[c])) add_bricks(walls[leg.wall], plan, leg, c, of_wall[leg.wall], blocks);
     }
     add_lintels(walls[leg.wall], leg, of_wall[leg.wall], blocks);
-    add_arches(walls[leg.wall], plan.bricks[leg.wall], leg, of_wall[leg.wall], blocks);
+    add_arches(walls[leg.wall], plan, leg, of_wall[leg.wall], blocks);
   }
   std::int32_t members = 0;
   add_floor_beams(plan, spans.floors, materials, members, blocks);
@@ -165,6 +169,7 @@ std::vector<AdaptedBricks> adapted_bricks(const std::vector<WallSpec>& walls, co
       if (leg.wall != i) continue;
       const auto [least, most] = brick_stretch(walls[i], plan, leg);
       a.shortest = std::min(a.shortest, least * length), a.longest = std::max(a.longest, most * length);
+      a.lost = std::max(a.lost, lost_in_bends(walls[i], plan, leg));
       for (const Interval course : courses_of(plan, i)) {
         if (!leg.height.overlaps(course)) continue;
         a.lowest = std::min(a.lowest, metres(course.length())), a.highest = std::max(a.highest, metres(course.length()));
@@ -172,9 +177,25 @@ std::vector<AdaptedBricks> adapted_bricks(const std::vector<WallSpec>& walls, co
     }
     const double most =
         std::max({length - a.shortest, a.longest - length, std::abs(a.width - width), height - a.lowest, a.highest - height});
-    if (most > kPlanTolerance) all.push_back(a);
+    if (most > kPlanTolerance || a.lost > kLost) all.push_back(a);
   }
   return all;
+}
+
+std::vector<InputError> wall_overhangs(const std::vector<WallSpec>& walls, const WallSpans& spans) {
+  std::vector<InputError> found;
+  if (std::ranges::all_of(walls, [](const WallSpec& w) { return w.base == 0.0; })) return found;
+  const WallsPlan plan = plan_walls(walls, spans);
+  for (const Leg& leg : plan.legs) {
+    for (const bool left : {false, true}) {
+      const double by = overhang(plan, leg, left);
+      if (by < 0.1 * walls[leg.wall].brick[1]) continue;
+      found.emplace_back(wall_key(leg.wall, "thickness"), "the " + leg.tag + " reaches " + text(std::round(by * 1e4) * 1e-4) +
+                                                              " m beyond the wall on which it stands, on its " + (left ? "left" : "right") +
+                                                              "; a wall stands on one as thick, or thicker");
+    }
+  }
+  return found;
 }
 
 std::vector<InputError> wall_heads_without_lintel(const std::vector<WallSpec>& walls) {

@@ -35,11 +35,16 @@ struct AdaptedBricks {
   double shortest = 0.0, longest = 0.0;  // m, of whole bricks along it
   double width = 0.0;                    // m
   double lowest = 0.0, highest = 0.0;    // m, of its courses
+  double lost = 0.0;                     // share of the volume of its line that straight blocks over bends leave out
 };
 /// One for each wall of which any of these differs from the brick of the case.
 std::vector<AdaptedBricks> adapted_bricks(const std::vector<WallSpec>& walls, const WallSpans& spans = {});
 
 /// Openings with masonry above them and nothing that carries it. \pre as above
 std::vector<InputError> wall_heads_without_lintel(const std::vector<WallSpec>& walls);
+
+/// Walls that stand upon others and reach beyond them with a face, by a tenth of a brick's width or more over half of their length.
+/// \pre as above
+std::vector<InputError> wall_overhangs(const std::vector<WallSpec>& walls, const WallSpans& spans);
 
 }  // namespace voussoir::cases

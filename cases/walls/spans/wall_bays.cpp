@@ -199,20 +199,22 @@ geometry::Polyhedron BayAxes::in_case(geometry::Polyhedron shape) const {
 }
 
 void raise_to(const std::vector<WallSpec>& walls, const std::string& side, const std::string& key, const BayAxes& axes,
-              const geometry::Polygon& line, WallsPlan& plan) {
+              const geometry::Polygon& line, const Spanning& what, WallsPlan& plan) {
+  const std::string list = what.list;
   const std::size_t found = find_side(walls, plan, side, key);
   const Bay& bay = axes.bay();
   Leg& leg = plan.legs[found];
   const Facet& f = leg.facets[0];
   const double seat = line.front().t;
   if (leg.facets.size() > 1 || std::abs(cross(f.along, bay.along).z) > kSquare)
-    throw InputError(key, "the " + leg.tag + " is not square to the ridge of the roof; gables are");
+    throw InputError(
+        key, "the " + leg.tag + " is not square to the " + (list == "vault" ? "axis of the vault" : "ridge of the roof") + "; gables are");
   if (eaves(walls[leg.wall]) != ticks(seat))
     throw InputError(key, "the " + leg.tag + " ends at " + metres_text(eaves(walls[leg.wall])) +
                               " m above the base, and what it rises to rests at " + text(seat) + " m; a gable begins at that height");
   const double u = dot(leg.at(0.5 * leg.length(), 0.0) - bay.from, bay.across);
   if (u + leg.half < bay.low - kPlanTolerance || u - leg.half > bay.high + kPlanTolerance)
-    throw InputError(key, "the " + leg.tag + " does not stand under the roof");
+    throw InputError(key, "the " + leg.tag + " does not stand under the " + list);
   geometry::Polygon top;
   for (const geometry::Point2 p : line) top.push_back({dot(axes.in_case(Vec3{u - bay.low, p.s, 0.0}) - f.from, f.along), p.t});
   if (top.front().s > top.back().s) std::ranges::reverse(top);

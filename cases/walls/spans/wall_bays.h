@@ -72,9 +72,9 @@ class BayAxes {
 };
 
 /// Raises a side that stands square under a span to a line. \param key  names the side \param line  (y, z), from the first side to the
-/// second; its ends are at the top of the walls
+/// second; its ends are at the top of the walls \param what  it is raised to, for messages
 void raise_to(const std::vector<WallSpec>& walls, const std::string& side, const std::string& key, const BayAxes& axes,
-              const geometry::Polygon& line, WallsPlan& plan);
+              const geometry::Polygon& line, const Spanning& what, WallsPlan& plan);
 
 /// The outline of a facet of a leg, up to the far faces of the walls in which it ends.
 geometry::Polygon outline_of(const Leg& leg, std::size_t facet);

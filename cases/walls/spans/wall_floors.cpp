@@ -9,6 +9,7 @@
 #include "cases/house/house_parts.h"
 #include "cases/names.h"
 #include "cases/walls/spans/wall_bays.h"
+#include "cases/walls/spans/wall_levels.h"
 #include "cases/walls/wall_courses.h"
 #include "cases/walls/wall_layout.h"
 #include "geometry/nth.h"
@@ -16,7 +17,8 @@
 namespace voussoir::cases {
 namespace {
 
-constexpr double kNoArea = 1e-8;  // m2, as of geometry's joints
+constexpr double kNoArea = 1e-8;    // m2, as of geometry's joints
+constexpr double kParallel = 1e-6;  // rad
 
 std::string key_of(std::size_t floor, const char* field) { return Spanning{"floor", floor}.key(field); }
 
@@ -66,16 +68,21 @@ class FloorLayer {
     const Tick top = std::min(eaves(walls_[side(0).wall]), eaves(walls_[side(1).wall]));
     const Tick level = floor_.level ? ticks(*floor_.level) : top;
     laid_.height = {level - height_, level};
+    std::array<Interval, 2> stands;
+    Tick lowest = 1;
     for (std::size_t k = 0; k < 2; ++k) {
-      const Interval stands{side(k).height.low, eaves(walls_[side(k).wall])};
-      const bool in_it = laid_.height.low > stands.low && laid_.height.high <= stands.high, upon_it = laid_.height.low == stands.high;
-      if (in_it || upon_it) continue;
-      throw InputError(key(floor_.level ? "level" : "beam"),
-                       text(floor_.level ? *floor_.level : floor_.beams.beam[1]) + " m: the beams would lie " + from_to(laid_.height) +
-                           " above the base, and the " + side(k).tag + " stands " + from_to(stands) + "; beams lie in it, " +
-                           "or upon it: allowed levels: above " + metres_text(stands.low + height_) + " to " + metres_text(stands.high) +
-                           " m, and " + metres_text(stands.high + height_) + " m");
+      stands[k] = {side(k).height.low, eaves(walls_[side(k).wall])};
+      lowest = std::max(lowest, plan_.bricks[side(k).wall].brick_height / 5);
     }
+    laid_.levels = beam_levels(stands, height_, lowest), laid_.undersides = beam_undersides(stands, level, lowest);
+    if (std::ranges::any_of(laid_.levels, [&](Interval i) { return i.low <= level && level <= i.high; })) return;
+    std::string stand;
+    for (std::size_t k = 0; k < 2; ++k) stand += ", and the " + side(k).tag + " stands " + from_to(stands[k]);
+    throw InputError(key(floor_.level ? "level" : "beam"),
+                     text(floor_.level ? *floor_.level : floor_.beams.beam[1]) + " m: the beams would lie " + from_to(laid_.height) +
+                         " above the base" + stand +
+                         "; beams lie in a wall, at its foot or upon it, with no course lower than a fifth of a " +
+                         "brick: " + (laid_.levels.empty() ? "no level fits both" : "allowed levels: " + ranges_text(laid_.levels)));
   }
 
   /// Ground between two planes of beams, from the outer face of one wall to that of the other: (x, y).
@@ -98,7 +105,7 @@ class FloorLayer {
     const geometry::Polygon between = ground(bay.low, bay.high);
     for (std::size_t i = 0; i < plan_.legs.size(); ++i) {
       const Leg& leg = plan_.legs[i];
-      if (is_side(i) || !leg.height.overlaps(laid_.height)) continue;
+      if (is_side(i) || !leg.height.overlaps(laid_.height) || stands_upon_side(i)) continue;
       for (std::size_t f = 0; f < leg.facets.size(); ++f) {
         const geometry::Polygon common = geometry::intersection(outline_of(leg, f), between);
         if (geometry::region(common).area < kNoArea) continue;
@@ -110,6 +117,8 @@ class FloorLayer {
           low = std::min(low, u), high = std::max(high, u);
           meets = meets || v < v_of(plan_, bay, bay.faces[0], u) + kPlanTolerance || v > v_of(plan_, bay, bay.faces[1], u) - kPlanTolerance;
         }
+        laid_.between.push_back(i);
+        if (meets && high - low > widest_) widest_ = high - low, widest_name_ = leg.tag;
         if (meets)
           beside_.push_back({ticks(low), ticks(high)});
         else
@@ -117,6 +126,23 @@ class FloorLayer {
       }
     }
     std::ranges::sort(beside_, {}, &Interval::low);
+  }
+
+  /// Notes a leg that stands upon a side, along it.
+  bool stands_upon_side(std::size_t i) {
+    const Leg& leg = plan_.legs[i];
+    for (std::size_t k = 0; k < 2 && leg.facets.size() == 1; ++k) {
+      const Leg& under = side(k);
+      const Facet &f = leg.facets[0], &g = under.facets[0];
+      if (leg.height.low != under.eaves || std::abs(cross(f.along, g.along).z) > kParallel) continue;
+      if (geometry::region(geometry::intersection(outline_of(leg, 0), outline_of(under, 0))).area < kNoArea) continue;
+      const double face = laid_.bay.faces[k].d;
+      const Vec3 inwards = (face > 0.0 ? 1.0 : -1.0) * g.across;
+      const double inner = dot(f.across, inwards) > 0.0 ? leg.half : -leg.half;
+      laid_.upon.push_back({i, k, inner, dot(under.at(0.0, face) - leg.at(0.0, inner), inwards)});
+      return true;
+    }
+    return false;
   }
 
   void lay_beams() {
@@ -136,7 +162,8 @@ class FloorLayer {
     add_room(ticks(bay.high));
     if (laid_.rooms.empty())
       throw InputError(key("beam"), text(floor_.beams.beam[0]) + " m is too wide for what lies between the " + side(0).tag + " and the " +
-                                        side(1).tag + ", " + text(std::round((bay.high - bay.low) * 1e4) * 1e-4) + " m");
+                                        side(1).tag + ", " + text(std::round((bay.high - bay.low) * 1e4) * 1e-4) + " m" +
+                                        (beside_.empty() ? "" : ", with other walls in it, as the " + widest_name_));
     for (const auto& room : laid_.rooms) {
       for (const BayBeam& beam : room) check_elements(beam);
     }
@@ -173,9 +200,15 @@ class FloorLayer {
       add_pocket(beam, laid_.bay.faces[k].leg, std::min(face, back), std::max(face, back));
     }
     const geometry::Polygon under = ground(metres(beam.across.low), metres(beam.across.high));
+    const auto is_met = [&](const Leg& leg) { return geometry::region(geometry::intersection(outline_of(leg, 0), under)).area > kNoArea; };
     for (const std::size_t i : across_) {
-      const Leg& leg = plan_.legs[i];
-      if (geometry::region(geometry::intersection(outline_of(leg, 0), under)).area > kNoArea) add_pocket(beam, i, -leg.half, leg.half);
+      if (const Leg& leg = plan_.legs[i]; is_met(leg)) add_pocket(beam, i, -leg.half, leg.half);
+    }
+    for (const WallUpon& w : laid_.upon) {
+      const Leg& leg = plan_.legs[w.leg];
+      const double reach = std::min(floor_.beams.bearing - w.setback, 2.0 * leg.half);
+      const double back = w.inner > 0.0 ? w.inner - reach : w.inner + reach;
+      if (reach > kPlanTolerance && is_met(leg)) add_pocket(beam, w.leg, std::min(w.inner, back), std::max(w.inner, back));
     }
   }
 
@@ -188,8 +221,9 @@ class FloorLayer {
     const double low = std::min(p.low(from), p.low(to)), high = std::max(p.high(from), p.high(to));
     if (const auto words = in_the_way_of(walls_[leg.wall], plan_, leg, p))
       throw InputError(key("spacing"), text(floor_.beams.spacing) + " m puts a beam into the " + leg.tag + " from " +
-                                           text(std::round(low * 1e4) * 1e-4) + " to " + text(std::round(high * 1e4) * 1e-4) + " m, and " +
-                                           *words + "; at least " + text(least_piece(walls_[leg.wall])) +
+                                           text(std::round(leg.place(low) * 1e4) * 1e-4) + " to " +
+                                           text(std::round(leg.place(high) * 1e4) * 1e-4) + " m along the line of the wall, and " + *words +
+                                           "; at least " + text(least_piece(walls_[leg.wall])) +
                                            " m, a fifth of a brick, lie between them: change spacing, corners or level");
     leg.pockets.push_back(p);
   }
@@ -202,6 +236,8 @@ class FloorLayer {
   Tick width_ = 0, height_ = 0, spacing_ = 0, bearing_ = 0;
   std::vector<Interval> beside_;     // ranges of u that walls beside rooms fill, ascending
   std::vector<std::size_t> across_;  // legs that beams go through
+  double widest_ = 0.0;              // m of u, of the leg beside rooms that fills most
+  std::string widest_name_;
 };
 
 std::string loaded_name(const WallFloor& floor) {
@@ -277,44 +313,6 @@ void add_floor_beams(const WallsPlan& plan, const std::vector<WallFloor>& floors
       }
     }
   }
-}
-
-std::vector<PlannedTie> wall_beam_anchors(const std::vector<WallSpec>& walls, const WallsPlan& plan, const std::vector<WallFloor>& floors,
-                                          double foot) {
-  std::vector<PlannedTie> all;
-  for (std::size_t i = 0; i < floors.size(); ++i) {
-    const Floor& beams = floors[i].beams;
-    if (beams.anchorage == Anchorage::friction) continue;
-    const BayFloor& laid = plan.floors[i];
-    const Bay& bay = laid.bay;
-    int number = 0;
-    for (const auto& room : laid.rooms) {
-      for (std::size_t b = 0; b < room.size(); b += static_cast<std::size_t>(beams.anchor->every)) {
-        const double u = 0.5 * metres(room[b].across.low + room[b].across.high);
-        const auto v = [&](std::size_t k, double d) { return v_of(plan, bay, {bay.faces[k].leg, d}, u); };
-        const double span = v(1, bay.faces[1].d) - v(0, bay.faces[0].d);
-        if (!(beams.anchor->reach < 0.5 * span))
-          throw InputError(key_of(i, "anchor.reach"),
-                           text(beams.anchor->reach) + " m is not less than half the span of the beams, " + text(0.5 * span) + " m");
-        for (std::size_t k = 0; k < 2; ++k) {
-          const Leg& leg = plan.legs[bay.faces[k].leg];
-          if (beams.anchorage == Anchorage::anchor && beams.bearing > 2.0 * leg.half - kPlanTolerance)
-            throw InputError(key_of(i, "bearing"), text(beams.bearing) + " m leaves nothing of the " + leg.tag +
-                                                       " behind the beams for anchors to hold; at most " +
-                                                       text(2.0 * leg.half - least_piece(walls[leg.wall])) + " m");
-          const double end = 0.5 * (room[b].ends[k][0] + room[b].ends[k][1]);
-          BeamEnd at{bay.at(u, end), (k == 0 ? 1.0 : -1.0) * bay.along};
-          at.at.z = 0.5 * metres(laid.height.low + laid.height.high) + foot;
-          at.bearing = std::abs(v(k, bay.faces[k].d) - end), at.behind = std::abs(end - v(k, -bay.faces[k].d));
-          at.underside = metres(laid.height.low) + foot, at.course = metres(plan.bricks[leg.wall].brick_height);
-          Tie tie = beam_anchor(beams, at);
-          tie.name = floors[i].name + " anchor " + std::to_string(++number);
-          all.push_back({tie, i});
-        }
-      }
-    }
-  }
-  return all;
 }
 
 PlannedDeck wall_floor_deck(const WallsPlan& plan, const std::vector<WallFloor>& floors, std::size_t index, double foot) {

@@ -80,7 +80,8 @@ void plan_wall_roofs(const std::vector<WallSpec>& walls, const std::vector<WallR
     for (std::size_t g = 0; lies && g < roofs[i].gables.size(); ++g)
       faults.attempt([&] {
         const LaidRoof laid(walls, plan, roofs[i], i);
-        raise_to(walls, roofs[i].gables[g], indexed_key(roof_key(i, "gables"), g, ""), laid.axes(), underside_of(laid.profile()), plan);
+        raise_to(walls, roofs[i].gables[g], indexed_key(roof_key(i, "gables"), g, ""), laid.axes(), underside_of(laid.profile()),
+                 {"roof", i}, plan);
       });
   }
   faults.raise();

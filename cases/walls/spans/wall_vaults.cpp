@@ -117,7 +117,7 @@ void plan_wall_vaults(const std::vector<WallSpec>& walls, const std::vector<Wall
     for (std::size_t g = 0; lies && g < vaults[i].gables.size(); ++g) {
       faults.attempt([&] {
         const LaidVault laid(walls, plan, vaults[i], i);
-        raise_to(walls, vaults[i].gables[g], indexed_key(vault_key(i, "gables"), g, ""), laid.axes, laid.ring.soffit(), plan);
+        raise_to(walls, vaults[i].gables[g], indexed_key(vault_key(i, "gables"), g, ""), laid.axes, laid.ring.soffit(), {"vault", i}, plan);
       });
     }
   }

@@ -213,6 +213,7 @@ std::vector<std::string> slips_of_model(const LoadedCase& c, const cases::Model&
     for (const cases::InputError& opening : cases::unsupported_heads(*c.value.house)) out.push_back(c.describe(opening));
   }
   for (const cases::InputError& opening : cases::wall_heads_without_lintel(c.value.walls)) out.push_back(c.describe(opening));
+  for (const cases::InputError& wall : cases::wall_overhangs(c.value.walls, cases::spans_of(c.value))) out.push_back(c.describe(wall));
   look_at_points(c, model, out);
   look_at_rafters(c, out);
   return out;

@@ -248,8 +248,10 @@ Table<WallFloor> wall_floor_table() {
   add_span_keys(table.keys, "beams");
   table.keys.push_back(value<S>("direction", &S::direction, "", any(),
                                 "[x, y] of the beams in plan; none: square to the first of the two walls. At least 30 degrees off both"));
-  table.keys.push_back(value<S>("level", &S::level, "m", at_least(0.0).usually(usual::kHeight),
-                                "of the beams' upper faces above base.z; none: the lower top of the two walls"));
+  table.keys.push_back(
+      value<S>("level", &S::level, "m", at_least(0.0).usually(usual::kHeight),
+               "of the beams' upper faces above base.z; none: the lower top of the two walls. Beams lie in a wall, at its foot, "
+               "or upon it: there on the ledge beside a thinner wall, and in pockets of that if they reach so far"));
   add_beam_keys(
       table.keys, [](auto& s) -> auto& { return s.beams; },
       "depth of the pockets, or of the seats upon the walls, square to the wall; beams go through walls between the two");

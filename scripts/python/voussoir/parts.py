@@ -1385,7 +1385,8 @@ class Floor(Part):
     material: of the beams; not empty; needed
     within_member: joint law between elements of one of the beams; not empty; default "wood"
     direction, 2 values: [x, y] of the beams in plan; none: square to the first of the two walls. At least 30 degrees off both
-    level, m: of the beams' upper faces above base.z; none: the lower top of the two walls; >= 0, usually 0.1 to 60, at most 60000
+    level, m: of the beams' upper faces above base.z; none: the lower top of the two walls. Beams lie in a wall, at its foot, or upon it: there on the
+      ledge beside a thinner wall, and in pockets of that if they reach so far; >= 0, usually 0.1 to 60, at most 60000
     beam, m, 2 values: width and height of a beam; > 0, usually 0.01 to 2, possible 1e-5 to 2000; default [0.1, 0.2]
     spacing, m: from axis to axis; in each room as many as fit, the rest at both ends; > 0, usually 0.1 to 3, possible 1e-4 to 3000; default 0.6
     bearing, m: depth of the pockets, or of the seats upon the walls, square to the wall; beams go through walls between the two; > 0, usually 0.05 to

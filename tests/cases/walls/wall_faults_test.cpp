@@ -49,7 +49,8 @@ TEST_CASE("walls that cannot be laid are refused with the key, the value and wha
 TEST_CASE("places along a wall are refused with what lies there") {
   using Walls = std::vector<WallSpec>;
   refuse([](Walls& w) { w[0].openings[0].from = 1.5; }, "wall[0].opening[0].from",
-         "1.5 m: the outer 1 wall would be open from 1.5 to 2.5 m, and the inner wall meets it from 1.9 to 2.1 m; at least 0.08 m of wall, "
+         "1.5 m: the outer 1 wall would be open from 1.5 to 2.5 m along the line of the wall, and the inner wall meets it from 1.9 to 2.1 "
+         "m; at least 0.08 m of wall, "
          "a fifth of a brick, lie between them; nearest: 2.18 m");
   refuse([](Walls& w) { w[0].openings[0].from = 4.2, w[0].openings[0].width = 0.6; }, "wall[0].opening[0].from", "nearest: 4.12 m");
   refuse([](Walls& w) { w[0].openings[0].from = 2.12, w[0].openings[0].width = 2.6; }, "wall[0].opening[0].from", "no room for it");
@@ -115,4 +116,72 @@ TEST_CASE("bricks adapted by a third at most are told") {
     CHECK(adapted[0].lowest == doctest::Approx(2.37 / 12));
   }
   CHECK(adapted_bricks({wall("w", {{0.0, 0.0}, {4.0, 0.0}}, 0.4, 2.4)}).empty());
+}
+
+TEST_CASE("places in messages count along the line of the wall, as in the case") {
+  using Walls = std::vector<WallSpec>;
+  refuse([](Walls& w) { w[0].openings.push_back(opening(8.35, 0.6, 0.0, 2.0)); }, "wall[0].opening[1].from",
+         "the outer 2 wall would be open from 8.35 to 8.95 m along the line of the wall, and it ends at 9 m");
+  refuse([](Walls& w) { w[0].openings.push_back(opening(5.1, 0.6, 0.0, 2.0)); }, "wall[0].opening[1].from",
+         "the outer 1 wall meets it from 4.8 to 5.2 m");
+}
+
+TEST_CASE("a wall that begins in the wall upon which it stands is refused at its base, once") {
+  Case c = case_of({closed(wall("low", {{0.0, 0.0}, {5.0, 0.0}, {5.0, 4.0}, {0.0, 4.0}}, 0.4, 2.4))});
+  c.walls.push_back(c.walls[0]);
+  c.walls[1].name = "high", c.walls[1].base = 2.3;
+  check_refused(c, std::function<void(Case&)>([](Case&) {}), "wall[1].base",
+                "2.3 m lies in the low 1 wall, along which the high 1 wall stands; nearest: 2.4 m");
+  try {
+    build_model(c);
+  } catch (const InputErrors& e) {
+    CHECK(e.all().size() == 1);
+  } catch (const InputError&) {
+  }
+  c.walls[1].base = 2.4;
+  CHECK_NOTHROW(build_model(c));
+}
+
+TEST_CASE("a wall that reaches beyond the one upon which it stands is told") {
+  Case c = case_of({wall("low", {{0.0, 0.0}, {5.0, 0.0}}, 0.4, 2.4), wall("high", {{0.0, 0.0}, {5.0, 0.0}}, 0.6, 2.0)});
+  c.walls[1].base = 2.4;
+  const std::vector<InputError> found = wall_overhangs(c.walls, {});
+  REQUIRE(found.size() == 2);
+  CHECK(found[0].key() == "wall[1].thickness");
+  CHECK(found[0].problem().find("the high wall reaches 0.1 m beyond the wall on which it stands, on its right") != std::string::npos);
+  c.walls[1].thickness = 0.4;
+  CHECK(wall_overhangs(c.walls, {}).empty());
+  c.walls[1].thickness = 0.2;
+  CHECK(wall_overhangs(c.walls, {}).empty());
+}
+
+TEST_CASE("an opening lies above the end of a low wall that rises elsewhere") {
+  Case c = good();
+  c.walls[1].height = 1.2, c.walls[1].tops = {{1.5, 1.2}, {2.5, 3.0}, {3.0, 3.0}};  // 1.2 m where it meets the outer wall
+  c.walls[0].openings = {opening(1.5, 1.0, 1.4, 0.8)};
+  CHECK_NOTHROW(build_model(c));
+  c.walls[1].height = 2.0, c.walls[1].tops[0][1] = 2.0;
+  check_refused(c, std::function<void(Case&)>([](Case&) {}), "wall[0].opening[0].from", "the inner wall meets it from 1.9 to 2.1 m");
+}
+
+TEST_CASE("vaults and roofs that lie in walls are refused with what bounds them") {
+  Case c = case_of({closed(wall("low", {{0.0, 0.0}, {5.0, 0.0}, {5.0, 4.0}, {0.0, 4.0}}, 0.4, 2.0))});
+  c.walls.push_back(c.walls[0]);
+  c.walls[1].name = "high", c.walls[1].base = 2.0, c.walls[1].height = 2.4, c.walls[1].thickness = 0.2;
+  c.vaults.resize(1);
+  c.vaults[0].name = "vault", c.vaults[0].walls = {"low 1", "low 3"}, c.vaults[0].material = "adobe";
+  check_refused(c, std::function<void(Case&)>([](Case&) {}), "vault[0]", "\"corners\" of vault[0] keeps it within four points");
+}
+
+TEST_CASE("what a wall loses in its bends is told: blocks are straight") {
+  WallSpec ring = closed(wall("ring", {}, 0.4, 1.0, WallBond::through));
+  const double radius = 2.0, step = 2.0 * std::acos(-1.0) / 24.0;
+  for (int i = 0; i < 24; ++i) ring.points.push_back({radius * std::cos(i * step), radius * std::sin(i * step)});
+  ring.brick = {0.8, 0.4, 0.25};
+  const Case c = case_of({ring});
+  const double line = 24.0 * 2.0 * radius * std::sin(0.5 * step) * 0.4 * 1.0;
+  const std::vector<AdaptedBricks> adapted = adapted_bricks(c.walls);
+  REQUIRE(adapted.size() == 1);
+  CHECK(adapted[0].lost > 0.005);
+  CHECK(volume_of(build_model(c)) == doctest::Approx(line * (1.0 - adapted[0].lost)).epsilon(1e-4));
 }

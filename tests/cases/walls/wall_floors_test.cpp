@@ -59,7 +59,8 @@ TEST_CASE("a floor between two walls: its beams fill pockets, bear on the walls 
     CHECK(beams_of(m) == static_cast<std::size_t>(beams));
     for (const auto& [side, area] : seats(m)) {
       CAPTURE(side);
-      CHECK((side == "outer 1 wall" || side == "outer 3 wall"));
+      const std::string storey = level == 2.4 ? "" : ", storey 1";
+      CHECK((side == "outer 1 wall" + storey || side == "outer 3 wall" + storey));
       CHECK(area == doctest::Approx(beams * 0.1 * 0.2).epsilon(1e-9));
     }
     CHECK(seats(m).size() == 2);
@@ -159,7 +160,8 @@ TEST_CASE("beams of two floors end in one wall side by side, or partly opposite 
 
 TEST_CASE("a plan that is turned, mirrored or given with its walls in another order has the same floor") {
   Case c = room();
-  c.walls[0].points = {{0.0, 0.0}, {5.07, 0.0}, {5.07, 4.03}, {0.0, 4.03 + kLean}};  // of which no half brick is left, which may go either way
+  c.walls[0].points = {
+      {0.0, 0.0}, {5.07, 0.0}, {5.07, 4.03}, {0.0, 4.03 + kLean}};  // of which no half brick is left, which may go either way
   c.walls.push_back(wall("inner", {{2.03, 0.2}, {2.03, 3.97}}, 0.3, 2.4));
   c.floors[0].beams.deck = Deck{3.5e5, {}, 1e7, {}};
   const Model m = build_model(c);
@@ -182,7 +184,8 @@ TEST_CASE("loads, laws, anchors and decks of a floor") {
   const double n = static_cast<double>(beams_of(m));
   double mass = 0.0;
   for (std::size_t i = 0; i < m.blocks.size(); ++i) {
-    if (m.blocks[i].span >= 0) mass += m.assembly.elements[i].mass.volume * m.materials[static_cast<std::size_t>(m.blocks[i].material)].value.density;
+    if (m.blocks[i].span >= 0)
+      mass += m.assembly.elements[i].mass.volume * m.materials[static_cast<std::size_t>(m.blocks[i].material)].value.density;
   }
   CHECK(mass == doctest::Approx(n * 3.6 * (0.02 * c.materials["wood"].density + 150.0 * 0.6)).epsilon(1e-9));
   for (std::size_t i = 0; i < m.assembly.joints.size(); ++i) {
@@ -197,7 +200,8 @@ TEST_CASE("loads, laws, anchors and decks of a floor") {
   CHECK(m.tie_bill[0].ties == static_cast<std::int64_t>(2 * n));
   CHECK(m.tie_bill[0].length == doctest::Approx(2 * n * (0.4 + 0.3)).epsilon(1e-9));
   CHECK(m.tie_bill[1].name == "floor deck");
-  CHECK(m.tie_bill[1].area == doctest::Approx((n - 1) * 0.6 * 2.4).epsilon(1e-9));  // elements of 0.4 m, from middle to middle, the first behind the face
+  CHECK(m.tie_bill[1].area ==
+        doctest::Approx((n - 1) * 0.6 * 2.4).epsilon(1e-9));  // elements of 0.4 m, from middle to middle, the first behind the face
 }
 
 TEST_CASE("floors that cannot lie are refused with the key, the value and what is allowed") {
@@ -211,15 +215,95 @@ TEST_CASE("floors that cannot lie are refused with the key, the value and what i
   refuse([](F f) { f.walls[1] = "outer"; }, "floor[0].walls[1]", "has several sides; name one of them: outer 1, outer 2, outer 3, outer 4");
   refuse([](F f) { f.walls[1] = "otter 3"; }, "floor[0].walls[1]", "did you mean \"outer 3\"?");
   refuse([](F f) { f.walls[1] = "outer 2"; }, "floor[0].walls", "less than 30 degrees");
-  refuse([](F f) { f.level = 2.5; }, "floor[0].level", "allowed levels: above 0.2 to 2.4 m, and 2.6 m");
+  refuse([](F f) { f.level = 2.5; }, "floor[0].level", "allowed levels: 0.2 m; 0.24 to 2.36 m; 2.4 m; 2.6 m");
   refuse([](F f) { f.beams.bearing = 0.5; }, "floor[0].bearing", "deeper than the outer 1 wall; at most 0.4 m");
-  refuse([](F f) { f.beams.bearing = 0.38; }, "floor[0].bearing", "leaves bricks of 0.02 m behind the beams in the outer 1 wall; at least 0.08 m");
+  refuse([](F f) { f.beams.bearing = 0.38; }, "floor[0].bearing",
+         "leaves bricks of 0.02 m behind the beams in the outer 1 wall; at least 0.08 m");
   refuse([](F f) { f.beams.spacing = 0.15; }, "floor[0].spacing", "at least 0.18 m");
   refuse([](F f) { f.level = 2.2; }, "floor[0].spacing", "wall[0].opening[0].lintel is from 1.8 to 3.2 m");
   refuse([](F f) { f.beams.beam[0] = 4.2, f.beams.spacing = 6.0; }, "floor[0].beam", "too wide for what lies between");
   refuse([](F f) { f.material = "glass"; }, "floor[0].material", "glass");
   refuse([](F f) { f.within_member = "glue"; }, "floor[0].within_member", "glue");
   refuse([](F f) { f.corners = {{0.0, 0.0}, {5.0, 0.0}, {0.0, 4.0}, {5.0, 4.0}}; }, "floor[0].corners", "no convex quadrilateral");
+}
+
+TEST_CASE("beams lie on the ledge of a wall upon which a thinner one stands, and reach into that") {
+  const double n = 5.0;  // in 3 m, less a fifth of a brick at both ends
+  for (const double bearing : {0.1, 0.2, 0.3}) {
+    for (const bool of_upper : {false, true}) {
+      if (of_upper && bearing > 0.15) continue;
+      CAPTURE(bearing);
+      CAPTURE(of_upper);
+      Case c = room();
+      c.walls.push_back(c.walls[0]);
+      c.walls[1].name = "upper", c.walls[1].thickness = 0.2, c.walls[1].base = 2.4, c.walls[1].height = 2.0;
+      if (of_upper) c.floors[0].walls = {"upper 1", "upper 3"};  // the ledge is before its pockets
+      c.floors[0].level = 2.6, c.floors[0].beams.bearing = bearing;
+      c.floors[0].corners = {{1.0, 0.0}, {4.0, 0.0}, {4.0, 4.0}, {1.0, 4.0}};
+      const double seat = of_upper ? 0.2 + bearing : bearing, walls = 2.4 * (20.0 - 4.2 * 3.2) + 2.0 * (20.0 - 4.6 * 3.6);
+      const Model m = build_model(c);
+      CHECK(static_cast<double>(beams_of(m)) == n);
+      CHECK(volume_of(m) == doctest::Approx(walls + n * 0.1 * 0.2 * (3.2 + 2 * std::min(seat, 0.2))).epsilon(1e-9));
+      check_joint_areas(m);
+      check_stands(m);
+      CHECK(seats(m)["outer 1 wall, storey 1"] == doctest::Approx(n * 0.1 * seat).epsilon(1e-9));
+      CHECK(seats(m).size() == 2);
+    }
+  }
+}
+
+TEST_CASE("beams lie at the foot of a wall upon another, and anchors hold what stands behind them") {
+  for (const double thickness : {0.4, 0.2}) {
+    CAPTURE(thickness);
+    Case c = room();
+    c.walls.push_back(c.walls[0]);
+    c.walls[1].name = "upper", c.walls[1].thickness = thickness, c.walls[1].base = 2.4, c.walls[1].height = 2.0;
+    c.floors[0].level = 2.6;
+    c.floors[0].beams.anchorage = Anchorage::anchor;
+    c.floors[0].beams.anchor.emplace();
+    c.floors[0].beams.anchor->bar.area = 1e-4;
+    const Model m = build_model(c);
+    REQUIRE(!m.ties.empty());
+    for (const TieBar& t : m.ties) {
+      CHECK(t.length == doctest::Approx(0.4 + 0.3));  // from the outer face, 0.3 m into the room
+      for (const TieHold& h : t.ends[1]) CHECK(m.blocks[static_cast<std::size_t>(h.element)].tag.starts_with("upper"));
+    }
+  }
+}
+
+TEST_CASE("the level that is advised for a floor is one at which it lies") {
+  std::size_t advised = 0;
+  for (double level = 0.02; level < 3.1; level += 0.02) {
+    CAPTURE(level);
+    Case c = room();
+    c.walls[0].openings = {{2.0, 1.0, 0.4, 1.5, {}, {}}};
+    c.floors[0].corners = {{3.4, 0.0}, {4.6, 0.0}, {4.6, 4.0}, {3.4, 4.0}};
+    c.walls.push_back(wall("across", {{1.0, 2.0}, {4.0, 2.0}}, 0.2, 2.62));  // beams go through it, and would end at 2.6 m upon the others
+    c.floors[0].level = level;
+    std::vector<InputError> faults;
+    const auto attempt = [&] {
+      faults.clear();
+      try {
+        build_model(c);
+      } catch (const InputErrors& e) {
+        faults = e.all();
+      } catch (const InputError& e) {
+        faults = {e};
+      }
+    };
+    attempt();
+    for (const InputError& fault : std::vector(faults)) {
+      const std::string problem = fault.problem();
+      const std::size_t at = problem.find("nearest: ");
+      if (fault.key() != "floor[0].level" || at == std::string::npos) continue;
+      ++advised;
+      CAPTURE(problem);
+      c.floors[0].level = std::stod(problem.substr(at + 9));
+      attempt();
+      CHECK(std::ranges::none_of(faults, [](const InputError& f) { return f.key() == "floor[0].level"; }));
+    }
+  }
+  CHECK(advised > 3);
 }
 
 TEST_CASE("faults of several floors are told together") {

@@ -155,7 +155,7 @@ TEST_CASE("a pitched roof between walls: gables reach up to the rafters, and raf
       if ((a->span < 0) == (b->span < 0)) continue;
       const std::string& on = a->span < 0 ? a->tag : b->tag;
       (std::abs(j.frame.normal.z) > 0.99 ? seats : slopes) += j.area;
-      feet += on == "outer 2 wall" || on == "outer 4 wall" ? 0.0 : j.area;
+      feet += on == "outer 2 gable" || on == "outer 4 gable" ? 0.0 : j.area;
     }
     const double pairs = static_cast<double>(rafters.size()) / 2.0;
     CHECK(pairs == std::ceil(5.9 / 0.8) + 1.0);

@@ -120,7 +120,7 @@ TEST_CASE("vaults that cannot stand are refused with the key, the value and what
   refuse([](V v) { v.voussoirs = 2; }, "vault[0].voussoirs", "allowed: 3 to 1000");
   refuse([](V v) { v.ring = 0.0; }, "vault[0].ring", "");
   refuse([](V v) { v.walls[1] = "outer 2"; }, "vault[0].walls", "less than 30 degrees");
-  refuse([](V v) { v.gables[0] = "outer 3"; }, "vault[0].gables[0]", "not square to the ridge");
+  refuse([](V v) { v.gables[0] = "outer 3"; }, "vault[0].gables[0]", "not square to the axis of the vault");
   refuse([](V v) { v.material = "glass"; }, "vault[0].material", "glass");
   Case c = nave(1.0);
   c.vaults.push_back(c.vaults[0]);

@@ -232,11 +232,24 @@ void find_courses(const Elements& elements, Building& b) {
   }
 }
 
-/// The name of a wall's gable: "left wall, storey 2" has "left gable, storey 2".
+/// The name of a wall's gable: "left wall, storey 2" has "left gable, storey 2", as has "left walling, storey 2".
 std::string gable_name(std::string wall) {
-  constexpr std::string_view kWall = " wall";
-  const std::size_t at = wall.rfind(kWall);
-  return at == std::string::npos ? wall : wall.replace(at, kWall.size(), " gable");
+  for (const std::string_view what : {" walling", " wall"}) {
+    if (const std::size_t at = wall.rfind(what); at != std::string::npos) return wall.replace(at, what.size(), " gable");
+  }
+  return wall;
+}
+
+/// Assigns lintels in gables to their walls.
+void find_gable_lintels(const Elements& elements, Building& b) {
+  for (std::size_t e = 0; e < b.kind.size(); ++e) {
+    if (b.kind[e] != cases::PartKind::lintel || b.wall[e] >= 0) continue;
+    for (const Gable& gable : b.gables) {
+      const Box own = b.box_in(gable.part, e);
+      const auto inside = [&](std::size_t k) { return own.centre(k) > gable.part.box.low[k] && own.centre(k) < gable.part.box.high[k]; };
+      if (gable.part.house == elements.house[e] && inside(0) && inside(1) && inside(2)) b.wall[e] = gable.wall, b.gable[e] = 1;
+    }
+  }
 }
 
 /// Finds gables as parts of their own, with their lowest course and their upper third.
@@ -365,6 +378,7 @@ Building building_of(const Hdf5File& run) {
   find_covers(elements, b);
   find_courses(elements, b);
   find_gables(elements, b);
+  find_gable_lintels(elements, b);
   const bool any_house = std::ranges::any_of(elements.house, [](std::int32_t h) { return h >= 0; });
   b.footprint = Box::empty();
   for (std::size_t e = 0; e < n; ++e)
