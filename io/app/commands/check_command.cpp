@@ -98,8 +98,10 @@ void print_adapted_bricks(const cases::Case& c, const char* title) {
     return cases::text(std::round(low * 1e4) * 1e-4) + (high - low < 5e-5 ? "" : " to " + cases::text(std::round(high * 1e4) * 1e-4));
   };
   for (const cases::AdaptedBricks& w : cases::adapted_bricks(c.walls, cases::spans_of(c))) {
-    std::printf("%s%-24s %s wall: whole ones %s m long, %s m wide, %s m high\n", *title == '\0' ? "" : "\n", title, w.name.c_str(),
-                range(w.shortest, w.longest).c_str(), range(w.width, w.width).c_str(), range(w.lowest, w.highest).c_str());
+    const std::string lost =
+        w.lost > 0.0 ? "; straight over bends: " + cases::text(std::round(w.lost * 1e4) * 1e-2) + " % less volume" : "";
+    std::printf("%s%-24s %s wall: whole ones %s m long, %s m wide, %s m high%s\n", *title == '\0' ? "" : "\n", title, w.name.c_str(),
+                range(w.shortest, w.longest).c_str(), range(w.width, w.width).c_str(), range(w.lowest, w.highest).c_str(), lost.c_str());
     title = "";
   }
 }
@@ -193,16 +195,10 @@ void print_step(const cases::Census& n, const cases::Model& m, const solver::Wor
   }
 }
 
-/// What a run needs, in bytes.
-struct RunRoom {
-  double memory = 0.0, disk = 0.0;
-};
-
-RunRoom room_of(const cases::Case& c, const cases::Census& n, double frame_interval) {
-  const double joints = static_cast<double>(n.joints + n.base_joints), elements = static_cast<double>(n.elements);
-  const double frames = std::floor(c.end() / frame_interval) + 1.0, rows = c.end() / c.output.history_interval;
-  return {3e3 * elements + 400.0 * joints + 35.0 * static_cast<double>(n.joint_sides),
-          frames * elements * 32.0 + rows * (8.0 + 72.0 * static_cast<double>(c.output.history.size()) + 56.0)};
+/// Memory of a run [bytes], about.
+double memory_needs(const cases::Census& n) {
+  return 3e3 * static_cast<double>(n.elements) + 400.0 * static_cast<double>(n.joints + n.base_joints) +
+         35.0 * static_cast<double>(n.joint_sides);
 }
 
 /// Prints what another number of rates would save. \param times  by rate, at least one
@@ -235,14 +231,14 @@ void print_run_time(const cases::Case& c, const cases::Model& model, const cases
 /// Prints the estimated time of a run. \return whether the first steps succeed
 bool print_estimate(const cases::Case& c, const cases::Model& model, const cases::GroundMotion& motion, solver::Simulation& sim) {
   bool sound = true;
-  const double interval = cases::frame_interval(c, model.blocks.size());
-  const RunRoom room = room_of(c, cases::census(model), interval);
+  const cases::Census n = cases::census(model);
+  const double memory = memory_needs(n);
   try {
     if (cases::finds_rest(c.analysis)) {
       const double usual = rest_time(c.analysis, sim);
       std::printf("\nestimate, %d threads      some %s, %.0f times that where much breaks (steps were timed on this machine)\n",
                   sim.threads(), format_duration(usual).c_str(), kMuchBreaks);
-      std::printf("memory                   about %.0f MB\n", room.memory / kMegabyte);
+      std::printf("memory                   about %.0f MB\n", memory / kMegabyte);
       return true;
     }
     print_run_time(c, model, motion, sim);
@@ -250,8 +246,10 @@ bool print_estimate(const cases::Case& c, const cases::Model& model, const cases
     std::printf("\nestimate                 none: the first steps go wrong (%s)\n", e.what());
     sound = false;
   }
-  std::printf("memory, disk             about %.0f MB, %.0f MB (a frame every %s s)\n", room.memory / kMegabyte, room.disk / kMegabyte,
-              cases::text(interval).c_str());
+  const DiskNeeds disk = disk_needs(c, n);
+  std::printf("memory, disk             about %.0f MB, %.0f MB (a frame every %s s) and %.0f MB of checkpoints\n", memory / kMegabyte,
+              disk.results / kMegabyte, cases::text(cases::frame_interval(c, static_cast<std::size_t>(n.elements))).c_str(),
+              disk.checkpoints / kMegabyte);
   return sound;
 }
 

@@ -151,10 +151,12 @@ void print_drifts(const Measures& m) {
 }
 
 /// Prints breaks due to the building's own weight, and breaks due to what came after.
-void print_origin(const Json& s, const Measures& m) {
+/// \param begin  s, of settling; its times are below zero, and zero comes when it ends
+void print_origin(const Json& s, const Measures& m, double begin) {
   if (m.settling_cracks == 0) return line("broken by settling", "nothing; afterwards " + std::to_string(m.shaking_cracks) + " segments");
-  line("broken by settling", std::to_string(m.settling_cracks) + " segments, the first at " + text("%.3f s", m.settling_first_crack_time) +
-                                 "; afterwards " + std::to_string(m.shaking_cracks) + " (one of both faces counts once)");
+  line("broken by settling", std::to_string(m.settling_cracks) + " segments, the first " +
+                                 text("%.3f s", m.settling_first_crack_time - begin) + " after it began; afterwards " +
+                                 std::to_string(m.shaking_cracks) + " (one of both faces counts once)");
   if (s.contains("settling_tension"))
     line("points of settling", counts(s, "settling_") + "; " + std::to_string(s["settling_slipped"].get<std::int64_t>()) + " slipped");
 }
@@ -201,14 +203,14 @@ void print_accelerations(const Measures& m) {
     line_of_chance(m, "peak acceleration", text("%.2f m/s2", p.peak_horizontal) + " at " + p.name + ", horizontal, below 50 Hz");
 }
 
-/// \param moves  false: an analysis by states of rest, whose speeds are those of the search
-void print_table(const Json& s, const Measures& m, bool moves) {
+/// \param begin  s, time of the first row \param moves  false: an analysis by states of rest, whose speeds are those of the search
+void print_table(const Json& s, const Measures& m, double begin, bool moves) {
   print_end(s);
   print_grade(m);
   line("collapsed", m.collapse_time >= 0 ? "at " + seconds(m.collapse_time) : s["collapsed"] != 0 ? "yes" : "no");
   line("first crack",
        m.settling_cracks == 0 ? seconds(s["first_crack_time"]) : "while settling; afterwards " + seconds(s["first_crack_time"]));
-  print_origin(s, m);
+  print_origin(s, m, begin);
   line("first fallen", seconds(m.first_fallen_time) + (m.first_fallen_wall.empty() ? "" : "; of the walls: " + m.first_fallen_wall));
   line_of_chance(m, "fallen mass", percent(s["fallen_mass_fraction"]));
   line_of_chance(m, "debris",
@@ -289,7 +291,8 @@ int print_summary(const SummaryOptions& o) {
   if (o.json) {
     std::printf("%s\n", summary.dump(1, ' ', false, Json::error_handler_t::replace).c_str());
   } else {
-    print_table(summary, m, !(capacity && capacity->by_rest()));
+    const std::vector<double> rows = run.read<double>("/energy/time");
+    print_table(summary, m, rows.empty() ? 0.0 : rows.front(), !(capacity && capacity->by_rest()));
     if (capacity) std::printf("\n%s", capacity_text(*capacity).c_str());
   }
   return kDone;

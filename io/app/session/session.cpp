@@ -55,7 +55,7 @@ void print_summary(const solver::Summary& s, std::uint64_t hash, const std::stri
   std::printf("collapsed            %s\n", s.collapsed ? "yes" : stopped ? "not so far" : "no");
   std::printf("fallen mass          %.1f %%\n", 100.0 * s.fallen_mass_fraction);
   std::printf("first crack          ");
-  if (s.settling.first_crack_time < 0.0) std::printf("while settling, at %.3f s; afterwards ", s.settling.first_crack_time);
+  if (s.settling.first_crack_time < 0.0) std::printf("while settling; afterwards ");
   s.first_crack_time >= 0.0 ? std::printf("%.3f s\n", s.first_crack_time) : std::printf(stopped ? "none so far\n" : "none\n");
   const auto by_mode = [](const char* what, std::int64_t tension, std::int64_t shear, std::int64_t compression) {
     std::printf("%-20s %s points in tension, %s in shear, %s in compression", what, format_count(tension).c_str(),

@@ -69,13 +69,12 @@ std::string settling_warning(const solver::World& world, const solver::RunState&
   const std::int64_t opened = d.tension + d.shear + d.compression;
   if (opened == 0) return "";
   const Broken b = broken_bonds(world);
-  std::array<char, 80> where{}, since{};
+  std::array<char, 80> where{};
   std::snprintf(where.data(), where.size(), "; between z = %.2f and %.2f m", b.low, b.high);
-  std::snprintf(since.data(), since.size(), "the first at %.3f s", state.settling_crack);
   return std::to_string(opened) + " of " + std::to_string(opened + d.bonded) +
          " contact points of joints broke under the building's own weight, while it settled (" + std::to_string(d.tension) +
-         " in tension, " + std::to_string(d.shear) + " in shear, " + std::to_string(d.compression) + " in compression), " + since.data() +
-         ". Where: " + shares(b) + where.data();
+         " in tension, " + std::to_string(d.shear) + " in shear, " + std::to_string(d.compression) +
+         " in compression). Where: " + shares(b) + where.data();
 }
 
 }  // namespace voussoir::io

@@ -8,7 +8,7 @@
 
 namespace voussoir::io {
 
-/// Warning about bonds that broke under the building's own weight: how many of how many, in which mode, since when, and in which parts of
+/// Warning about bonds that broke under the building's own weight: how many of how many, in which mode, and in which parts of
 /// the building, those with the most first; empty if none broke.
 /// \param world  at the beginning of the shaking \param state  with `settling` set
 std::string settling_warning(const solver::World& world, const solver::RunState& state);

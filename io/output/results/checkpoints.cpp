@@ -15,8 +15,6 @@ namespace voussoir::io {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int kKept = 2;
-
 /// Number of a checkpoint. \pre path is one of checkpoint_files
 long number_in(const std::string& path) { return *checkpoint_number(fs::path(path).filename().string()); }
 
@@ -69,9 +67,9 @@ void Checkpoints::remove_old() const {
   int whole = 0;
   try {
     for (const std::string& path : checkpoint_files(folder_)) {
-      if (whole == kKept) fs::remove(path);
+      if (whole == kKeptCheckpoints) fs::remove(path);
       const long number = number_in(path);
-      if (whole < kKept && (number < damaged_first_ || number >= damaged_last_)) ++whole;
+      if (whole < kKeptCheckpoints && (number < damaged_first_ || number >= damaged_last_)) ++whole;
     }
   } catch (const fs::filesystem_error&) {  // failure to list or remove old checkpoints is harmless
   }

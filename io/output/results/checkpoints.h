@@ -13,6 +13,9 @@
 /// The checkpoints of a run: DIR/checkpoint-NNNNNN.h5; the newest two intact ones are kept.
 namespace voussoir::io {
 
+/// Number of checkpoints that are kept.
+constexpr int kKeptCheckpoints = 2;
+
 struct CheckpointSchedule {
   double wall_clock = 300.0;        // s of wall-clock time between two checkpoints
   std::optional<double> simulated;  // s of simulated time between two checkpoints, if reached sooner

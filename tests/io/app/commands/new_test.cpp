@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string>
 
@@ -42,6 +43,22 @@ TEST_CASE("new: each kind of case passes its check without a finding, and is nev
     CHECK_FALSE(std::filesystem::exists(folder.path("elsewhere.toml")));
   }
   CHECK(voussoir("new hose").code == 2);
+}
+
+TEST_CASE("check tells how large the checkpoints of a run will be") {
+  const TempFolder folder;
+  const std::string file = folder.path("mine.toml"), out = folder.path("out");
+  REQUIRE(voussoir("new wall " + shell::quoted(file)).code == 0);
+  const Outcome check = voussoir("check " + shell::quoted(file) + " -j 1");
+  const std::size_t at = check.text.find(" MB of checkpoints");
+  REQUIRE(at != std::string::npos);
+  const double told = std::stod(check.text.substr(check.text.rfind(' ', at - 1)));
+  REQUIRE(voussoir("run " + shell::quoted(file) + " --quiet -j 1 --duration 0.01 --set gravity.settle=false -o " + out).code == 0);
+  double bytes = 0.0;
+  for (const auto& entry : std::filesystem::directory_iterator(out)) {
+    if (entry.path().filename().string().starts_with("checkpoint-")) bytes += static_cast<double>(entry.file_size());
+  }
+  CHECK(std::abs(told - 1e-6 * bytes) < 0.5 + 0.15 * 1e-6 * bytes);
 }
 
 TEST_CASE("help lists the commands in the order of work, and names where to begin") {
