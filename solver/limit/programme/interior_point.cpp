@@ -5,6 +5,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -20,14 +21,17 @@ using Columns = Eigen::SparseMatrix<double>;
 using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 constexpr int kMostIterations = 150;
-constexpr double kTolerance = 1e-8;                  // of residuals and gap, relative
+constexpr double kTolerance = 1e-8;                  // of residuals, relative
+constexpr double kOffered = 1e-6;                    // gap of what is offered where rounding allows no better
+constexpr double kGoodEnough = 1e-7;                 // gap below which the search ends once it gets no better
+constexpr int kMostWorse = 10;                       // iterations without a better point until then
 constexpr double kStepBack = 0.995;                  // of the way to the boundary at most
 constexpr double kPivot = 1e-13;                     // of a diagonal entry: what keeps pivots of redundant equations off zero
 constexpr double kShifts[] = {1e-13, 1e-15, 1e-17};  // of the mean diagonal entry, likewise
 constexpr int kMostGradients = 30;                   // of a solution of the normal equations
 constexpr int kRefinements = 3;                      // of a step
-constexpr double kMissed = 0.1;     // of the equations' residual, or of its tolerance if that is larger: what a step may leave
-constexpr double kRefined = 1e-12;  // relative residual of the normal equations that is good enough for a step
+constexpr double kMissed = 0.1;      // of the equations' residual, or of its tolerance if that is larger: what a step may leave
+constexpr double kRefined = 1e-12;   // relative residual of the normal equations that is good enough for a step
 constexpr double kPredicted = 1e-3;  // likewise for the prediction, which steers the step alone
 
 double price_of(const Columns& a, Index column, const VectorXd& y) {
@@ -166,17 +170,17 @@ Programme programme_of(const InteriorProgramme& p) {
 
 class Method {
  public:
-  explicit Method(const Programme& p) : p_(p), normal_(p.matrix) {}
+  Method(const Programme& p, double gap) : p_(p), gap_(gap), normal_(p.matrix) {}
 
   std::optional<InteriorPoint> run(const LpWatch& watch) {
     if (!start()) return {};
     for (int i = 0; i < kMostIterations; ++i) {
       find_residuals();
       if (watch) watch(i, gap());
-      if (is_done()) return InteriorPoint{{x_.begin(), x_.end()}, {y_.begin(), y_.end()}, i};
-      if (!step()) return {};
+      keep_best(i);
+      if (gap_of_best_ <= gap_ || gets_no_better(i) || !step()) break;
     }
-    return {};
+    return std::move(best_);
   }
 
  private:
@@ -203,9 +207,18 @@ class Method {
     const double cost = p_.costs.dot(x_);
     return std::abs(cost - p_.right.dot(y_)) / (1.0 + std::abs(cost));
   }
-  [[nodiscard]] bool is_done() const {
-    return primal_.norm() <= kTolerance * (1.0 + p_.right.norm()) && dual_.norm() <= kTolerance * (1.0 + p_.costs.norm()) &&
-           gap() <= kTolerance;
+  /// Norm of the equations' residual that is allowed.
+  [[nodiscard]] double allowed() const { return kTolerance * (1.0 + p_.right.norm()); }
+  /// Of the points that satisfy the equations of both programmes, the one of least gap.
+  void keep_best(int iteration) {
+    const bool holds = primal_.norm() <= allowed() && dual_.norm() <= kTolerance * (1.0 + p_.costs.norm());
+    if (!holds || !(gap() <= kOffered && gap() < gap_of_best_)) return;
+    best_ = InteriorPoint{{x_.begin(), x_.end()}, {y_.begin(), y_.end()}, iteration};
+    gap_of_best_ = gap();
+  }
+  /// Rounding spoils the equations from some iteration on: steps no longer remove their residual.
+  [[nodiscard]] bool gets_no_better(int iteration) const {
+    return gap_of_best_ <= kGoodEnough && iteration - best_->iterations >= kMostWorse;
   }
   struct Change {
     VectorXd x, y, z;
@@ -246,14 +259,17 @@ class Method {
     return change;
   }
   /// A large shift hides equations whose unknowns are all small, a small one lets round-off into the pivots of redundant equations. The
-  /// first is taken that misses little, else the one that misses least.
+  /// first is taken that misses little, from that of the step before on, else the one that misses least.
   [[nodiscard]] Change best_change() {
     Change best;
-    for (const double shift : kShifts) {
-      if (!normal_.factorise(x_.cwiseQuotient(z_), shift)) continue;
+    for (std::size_t k = 0; k < std::size(kShifts); ++k) {
+      const std::size_t which = (shift_ + k) % std::size(kShifts);
+      if (!normal_.factorise(x_.cwiseQuotient(z_), kShifts[which])) continue;
       Change c = corrected();
       if (c.missed < best.missed) best = std::move(c);
-      if (best.missed <= kMissed * std::max(kTolerance * (1.0 + p_.right.norm()), primal_.norm())) break;
+      if (best.missed > kMissed * std::max(allowed(), primal_.norm())) continue;
+      shift_ = which;
+      break;
     }
     return best;
   }
@@ -267,16 +283,20 @@ class Method {
   }
 
   const Programme& p_;
+  double gap_;  // that is enough
   NormalEquations normal_;
   VectorXd x_, y_, z_, primal_, dual_;
   double mean_ = 0.0;
+  std::size_t shift_ = 0;  // in kShifts
+  std::optional<InteriorPoint> best_;
+  double gap_of_best_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace
 
-std::optional<InteriorPoint> interior_point(const InteriorProgramme& programme, const LpWatch& watch) {
+std::optional<InteriorPoint> interior_point(const InteriorProgramme& programme, const LpWatch& watch, double gap) {
   const Programme p = programme_of(programme);
-  return Method(p).run(watch);
+  return Method(p, gap).run(watch);
 }
 
 }  // namespace voussoir::solver
