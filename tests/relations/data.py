@@ -74,7 +74,8 @@ class Case:
     size: float = None  # of segments
     times: dict = dataclasses.field(default_factory=dict)  # ramp, settle, duration, history, frame, ledger
     settle: bool = True
-    capacity: dict = None  # keys of [analysis] for a pushover, a tilt or states of rest of the same case
+    capacity: dict = None  # keys of [analysis] for a pushover, a tilt, a cyclic test or states of rest of the same case
+    growing: list = dataclasses.field(default_factory=list)  # loads of a cyclic test, of the capacity alone
     live: numpy.ndarray = None  # direction of the live load of `voussoir limit`
     unit: str = None  # the blocks are stones of a file in this unit; none: they stand in the case
     pivot: numpy.ndarray = None  # where the model stands: a point that is moved with it
@@ -173,6 +174,10 @@ def structure_lines(case, folder):
     return lines
 
 
+def load_lines(load, grows=None):
+    return table("[[load]]", {"block": load.block, "force": load.force, "moment": load.moment, "at": load.at, "follows": load.follows or None, "grows": grows})
+
+
 def write(case, folder):
     """Writes folder/case.toml and the files that it names."""
     folder.mkdir(parents=True, exist_ok=True)
@@ -202,7 +207,7 @@ def write(case, folder):
         lines += table("[[base.part]]", {"x": [x0, x1], "y": [y0, y1], "level": level})
     lines += structure_lines(case, folder)
     for load in case.loads:
-        lines += table("[[load]]", {"block": load.block, "force": load.force, "moment": load.moment, "at": load.at, "follows": load.follows or None})
+        lines += load_lines(load)
     for tie in case.ties:
         lines += table("[[tie]]", {"name": tie.name, "from": tie.start, "to": tie.end, "area": tie.area, "young": tie.young,
                                    "pretension": tie.pretension, "compression": tie.compression or None, "yield": tie.yields, "plate": tie.plate})

@@ -189,6 +189,23 @@ def move_slowly(rng, case):
         case.capacity = {"kind": rng.choice(["rest", "settlement"])}
 
 
+def push_to_and_fro(case):
+    """Small models that are led through nothing else are pushed to and fro, some at two blocks. Drawn aside, so that no other number changes."""
+    rng = random.Random(f"to and fro {case.kind} {case.pivot}")
+    free = sorted((b for b in case.blocks if not b.fixed), key=lambda b: (b.middle()[2], b.name))
+    if case.capacity or case.house or case.plan or len(free) > 16 or any(b.motion is not None for b in case.blocks) or rng.random() < 0.5:
+        return
+    angle, height = rng.uniform(0.0, 2.0 * math.pi), float(numpy.ptp(numpy.concatenate([b.vertices for b in case.blocks])[:, 2]))
+    direction = [math.cos(angle), math.sin(angle)]
+    weight = sum(float(numpy.prod(numpy.ptp(b.vertices, axis=0))) for b in free) * 2e4
+    for block in [free[-1]] + (rng.sample(free, 1) if rng.random() < 0.3 else []):
+        case.growing.append(Load(block.name, numpy.array([*direction, 0.0]) * weight / (1 + len(case.growing))))
+    if rng.random() < 0.4:
+        case.growing[0].at = free[-1].middle() + 0.3 * rng.random() * (free[-1].vertices[0] - free[-1].middle())
+    first = float(f"{height * 10.0**rng.uniform(-4.5, -3.0):.3g}")
+    case.capacity = {"kind": "cyclic", "direction": direction, "amplitudes": [first, 2.0 * first], "cycles": rng.choice([1, 2])}
+
+
 def on_raster(case):
     """All points on a raster so fine that a point moved by 10,000 km is still a double without rounding."""
     def nearest(p):
@@ -263,5 +280,6 @@ def drawn(rng):
     load_slowly(rng, case)
     move_a_support(rng, case)
     move_slowly(rng, case)
+    push_to_and_fro(case)
     on_raster(case)
     return case

@@ -19,7 +19,7 @@ TABLE = {"check": (("", STATIC),),
          "summary": (("", DYNAMIC),),
          "assess": (("", DYNAMIC),),
          "report": (("place", SINGLE), ("", PAGE)),
-         "capacity": (("capacity: first_stiffness", 5 * REST), ("demand", 10 * REST), ("", REST))}
+         "capacity": (("capacity: first_stiffness", 5 * REST), ("demand", 10 * REST), ("cyclic: energy", 10 * REST), ("", REST))}
 COUNTS = ("elements", "joints", "base_joints", "faults", "storeys", "damage", "cracks", "summary: collapsed", "summary: settled", "summary: damage_grade",
           "summary: deep_pairs", "summary: touching_pairs", "collapsed", "settled", "tension", "shear", "compression", "slipped", "damage_grade")
 

@@ -10,6 +10,8 @@ import subprocess
 import h5py
 import numpy
 
+import data
+
 # peaks: of each axis by itself; sided: with the sign of right or left
 SCALAR, SIDED, VECTOR, AXIAL, PEAKS, COUNT = "scalar", "sided", "vector", "axial", "peaks", "count"
 # Dimensions: exponents of mass, length, time.
@@ -268,15 +270,50 @@ def assess(voussoir, case, path, more):
     return out
 
 
+LOOP_ENERGIES = ("area", "dissipated", "stored", "other_work")
+
+
+def of_loops(f):
+    """A cyclic test that went through all of its cycles: what each loop bore and lost, and where it left the points."""
+    a = f["capacity"].attrs
+    ended = a["ended"] if isinstance(a["ended"], str) else a["ended"].decode()
+    if ended != "history" or a["fallen_before"] > 0.0:
+        return {}
+    said = f["capacity/loops"].attrs["description"]
+    names = (said if isinstance(said, str) else said.decode()).removeprefix("whole cycles: ").split(", ")
+    loops = dict(zip(names, f["capacity/loops"][:].T))
+    out = {f"cyclic: {k}": Value(loops[k], SCALAR, ONE, group="cyclic: factor", floor=LEAST_FACTOR) for k in ("most_factor", "least_factor")}
+    out |= {f"cyclic: {k}": Value(loops[k], SCALAR, LENGTH, group="cyclic: displacement") for k in ("most", "least")}
+    out |= {f"cyclic: {k}": Value(loops[k], SCALAR, ENERGY, group="cyclic: energy") for k in LOOP_ENERGIES}
+    return out | {"bits": of_summary(f)["bits"]}
+
+
+def of_kind(kind, f):
+    return at_rest(f) if kind in ("rest", "settlement") else of_loops(f) if kind == "cyclic" else of_capacity(f)
+
+
+def with_growing(case, path):
+    """The case of a cyclic test: the same, and the loads that grow."""
+    if not case.growing:
+        return path
+    text = "\n".join(line for load in case.growing for line in data.load_lines(load, grows=True))
+    other = path.with_name("capacity.toml")
+    other.write_text(path.read_text() + "\n" + text)
+    return other
+
+
 def capacity(voussoir, case, path, more):
-    """A pushover, a tilt or states of rest of the same case, whose keys lie over it."""
+    """A pushover, a tilt, a cyclic test or states of rest of the same case, whose keys lie over it."""
     folder = path.parent / "capacity"
-    words = [w for k, v in case.capacity.items() for w in ("--set", f"analysis.{k}={json.dumps(v)}")]
-    done = call(voussoir, ["run", path, "-o", folder, "--overwrite", "--quiet", "-j", more.get("threads", 1), *words])
+    keys = case.capacity | ({"longest": more["stop capacity"]} if "stop capacity" in more else {})
+    words = [w for k, v in keys.items() for w in ("--set", f"analysis.{k}={json.dumps(v)}")]
+    done = call(voussoir, ["run", with_growing(case, path), "-o", folder, "--overwrite", "--quiet", "-j", more.get("threads", 1), *words])
+    if "stop capacity" in more and not done.returncode:
+        done = call(voussoir, ["resume", folder, "--until", 300, "-j", more["resumed by"], "--quiet"])
     if done.returncode:
         raise Refused([line for line in done.stderr.strip().splitlines() if "warning" not in line][-1])
     with h5py.File(folder / "run.h5") as f:
-        out = at_rest(f) if case.capacity["kind"] in ("rest", "settlement") else of_capacity(f)
+        out = of_kind(case.capacity["kind"], f)
     return out | (under_demand(voussoir, folder) if case.capacity["kind"] == "pushover" and len(out) > 1 else {})
 
 

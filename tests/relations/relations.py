@@ -3,6 +3,7 @@
 """The relations: each makes another case of a case, and says how every number of the first must be found in the second."""
 import dataclasses
 import math
+import random
 
 import numpy
 
@@ -34,7 +35,7 @@ def points_moved(case, move):
     for b in case.blocks:
         b.vertices = move(b.vertices)
         b.about = None if b.about is None else move(b.about)
-    for load in case.loads:
+    for load in case.loads + case.growing:
         load.at = None if load.at is None else move(load.at)
     for tie in case.ties:
         tie.start, tie.end = move(tie.start), move(tie.end)
@@ -69,7 +70,7 @@ def turn_all(case, R):
     points_moved(out, lambda p: p @ R.T)
     out.gravity, out.live = R @ out.gravity, R @ out.live
     axial = numpy.linalg.det(R) * R
-    for load in out.loads:
+    for load in out.loads + out.growing:
         load.force = R @ load.force
         load.moment = None if load.moment is None else axial @ load.moment
     out.samples = None if out.samples is None else out.samples @ R.T
@@ -161,6 +162,7 @@ def other_order(rng, case):
         plans.in_other_order(rng, out)
     rng.shuffle(out.blocks)
     rng.shuffle(out.loads)
+    out.growing.reverse()
     if out.rule == "rim":  # with "centres" the grid begins at the first corner of a face
         for b in out.blocks:
             order = list(range(len(b.vertices)))
@@ -189,22 +191,26 @@ def other_names(rng, case):
     new = {b.name: f"stone {i} of {rng.randrange(1000)}" for i, b in enumerate(out.blocks)}
     for b in out.blocks:
         b.name = new[b.name]
-    for load in out.loads:
+    for load in out.loads + out.growing:
         load.block = new[load.block]
     return out, Change(equal=BITS)
 
 
+def in_two(loads, k):
+    """These loads with a quarter and three quarters of one of them in its place, at the end."""
+    rest, load = loads[:k] + loads[k + 1:], loads[k]
+    return rest + [dataclasses.replace(load, force=share * load.force, moment=None if load.moment is None else share * load.moment) for share in (0.25, 0.75)]
+
+
 def split_load(rng, case):
-    """A load in two parts on the same block."""
-    if not case.loads:
+    """A load in two parts on the same block; of a cyclic test one that grows."""
+    if not case.loads and not case.growing:
         return None
     out = case.copy()
-    k = rng.randrange(len(out.loads))
-    load = out.loads.pop(k)
-    for share in (0.25, 0.75):
-        part = case.copy().loads[k]
-        part.force, part.moment = share * load.force, None if load.moment is None else share * load.moment
-        out.loads.append(part)
+    if out.loads:
+        out.loads = in_two(out.loads, rng.randrange(len(out.loads)))
+    if out.growing:
+        out.growing = in_two(out.growing, 0)
     return out, Change()
 
 
@@ -246,9 +252,10 @@ def reference_kernels(rng, case):
 
 
 def stopped(rng, case):
-    """Stopped in the middle, and resumed with two threads."""
+    """Stopped in the middle, and resumed with two threads; a cyclic test after some of its iterations."""
     frames = round(case.times["duration"] / case.times["frame"])
-    return case.copy(), Change(equal=BITS, more={"stop": rng.randrange(1, frames) * case.times["frame"], "resumed by": 2}, commands=AFTER_RUN)
+    more = {"stop": rng.randrange(1, frames) * case.times["frame"], "resumed by": 2, "stop capacity": round(10.0 ** random.Random(f"stop {case.kind}").uniform(-1.0, 1.0), 2)}
+    return case.copy(), Change(equal=BITS, more=more, commands=AFTER_RUN + (("capacity",) if case.growing else ()))
 
 
 def rewritten(rng, case):
