@@ -53,11 +53,12 @@ struct Case {
   geometry::SegmentRule segment_rule = geometry::SegmentRule::centres;  // key segments.rule
   Output output;
   std::optional<House> house;
-  std::vector<WallSpec> walls;    // key: wall
-  std::vector<WallFloor> floors;  // key: floor, between walls
-  std::vector<WallRoof> roofs;    // key: roof, between walls
-  std::vector<WallVault> vaults;  // key: vault, between walls
-  std::vector<BlockSpec> blocks;  // key: block
+  std::vector<WallSpec> walls;      // key: wall
+  std::vector<WallFloor> floors;    // key: floor, between walls
+  std::vector<WallRoof> roofs;      // key: roof, between walls
+  std::vector<WallVault> vaults;    // key: vault, between walls
+  std::vector<HouseTie> wall_ties;  // key: wall_tie, by sides of walls
+  std::vector<BlockSpec> blocks;    // key: block
   std::vector<StonesSpec> stones;
   std::vector<Load> loads;  // key: load
   std::vector<Tie> ties;    // key: tie

@@ -18,6 +18,7 @@
 #include "cases/names.h"
 #include "cases/solids/outside.h"
 #include "cases/walls/spans/wall_floors.h"
+#include "cases/walls/spans/wall_rods.h"
 #include "cases/walls/spans/wall_roofs.h"
 #include "geometry/nth.h"
 #include "geometry/polygon.h"
@@ -186,17 +187,18 @@ void add_ties(const Case& c, Model& model) {
   faults.raise();
 }
 
-void add_house_ties(const Case& c, double foot, Model& model) {
-  std::vector<TieBill> bills(c.house->ties.size());
-  std::vector<bool> failed(c.house->ties.size(), false);  // each is told once
+/// \param list  "house.tie" \param ties  its entries
+void add_rods(const Case& c, const std::vector<PlannedTie>& rods, const char* list, const std::vector<HouseTie>& ties, Model& model) {
+  std::vector<TieBill> bills(ties.size());
+  std::vector<bool> failed(ties.size(), false);  // each is told once
   Faults faults;
-  for (const PlannedTie& planned : house_ties(*c.house, foot)) {
+  for (const PlannedTie& planned : rods) {
     if (failed[planned.index]) continue;
     failed[planned.index] = !faults.attempt([&] {
-      const std::string key = indexed_key("house.tie", planned.index, "");
+      const std::string key = indexed_key(list, planned.index, "");
       TieBar bar = place(c, model, planned.tie, {key, key}, key);
       TieBill& bill = bills[planned.index];
-      bill.name = c.house->ties[planned.index].bar.name;
+      bill.name = ties[planned.index].bar.name;
       ++bill.ties, bill.anchors += anchors(bar), bill.length += norm(planned.tie.to - planned.tie.from);
       model.ties.push_back(std::move(bar));
     });
@@ -227,8 +229,7 @@ std::vector<std::string> floor_names(const House& house) {
 }
 
 void add_roof_ties(const Case& c, double foot, Model& model) {
-  TieBill bill;
-  bill.name = "roof ties";
+  TieBill bill{"roof ties"};
   for (const PlannedTie& planned : roof_ties(*c.house, foot)) {
     TieBar bar = place(c, model, planned.tie, {"house.roof.tie", "house.roof.tie"}, "house.roof.tie", {false, false});
     ++bill.ties, bill.anchors += 2, bill.length += norm(planned.tie.to - planned.tie.from);
@@ -239,8 +240,7 @@ void add_roof_ties(const Case& c, double foot, Model& model) {
 
 /// Adds the bars of a deck. \param number  TieBar::mesh of the deck, counted after the meshes
 void add_deck(const PlannedDeck& planned, const std::string& name, std::size_t number, Model& model) {
-  TieBill bill;
-  bill.name = name;
+  TieBill bill{name};
   bill.area = planned.area;
   for (const DeckBar& bar : planned.bars) {
     TieBar tie;
@@ -303,8 +303,7 @@ void add_mesh(const Case& c, std::size_t index, double foot, Model& model) {
   const PlannedMesh planned = house_mesh(*c.house, index, foot);
   std::vector<std::int32_t> element;
   for (const Vec3 node : planned.nodes) element.push_back(element_at(model, node));
-  TieBill bill;
-  bill.name = mesh.name;
+  TieBill bill{mesh.name};
   bill.area = planned.cell * static_cast<double>(std::ranges::count_if(element, [](std::int32_t e) { return e >= 0; }));
   const auto apart = [&](std::array<std::int32_t, 2> nodes) { return norm(nth(planned.nodes, nodes[1]) - nth(planned.nodes, nodes[0])); };
   const std::size_t before = model.ties.size();
@@ -365,10 +364,11 @@ void place_ties(const Case& c, const WallsPlan& walls, Model& model) {
   Faults faults;
   faults.attempt([&] { add_ties(c, model); });
   if (c.house) {
-    faults.attempt([&] { add_house_ties(c, foot, model); });
+    faults.attempt([&] { add_rods(c, house_ties(*c.house, foot), "house.tie", c.house->ties, model); });
     faults.attempt([&] { add_beam_anchors(c, beam_anchors(*c.house, foot), "house.floor", floor_names(*c.house), model); });
     faults.attempt([&] { add_roof_ties(c, foot, model); });
   }
+  faults.attempt([&] { add_rods(c, wall_rods(c.walls, walls, c.wall_ties, foot), "wall_tie", c.wall_ties, model); });
   std::vector<std::string> floors;
   for (const WallFloor& f : c.floors) floors.push_back(f.name);
   faults.attempt([&] { add_beam_anchors(c, wall_beam_anchors(c.walls, walls, c.floors, foot), "floor", floors, model); });

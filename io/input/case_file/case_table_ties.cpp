@@ -105,6 +105,27 @@ Table<HouseTie> house_tie_table() {
   return table;
 }
 
+Table<HouseTie> wall_tie_table() {
+  using S = HouseTie;
+  const auto name = [](auto& s) -> auto& { return s.bar.name; };
+  Table<S> table{
+      "rods by sides of [[wall]] and height: through sides from end to end, or across from one to another",
+      {required(value<S>("name", name, "", filled(), "begins the names of its ties")),
+       required(choice<S, HouseTieKind S::*, HouseTieKind>(
+           "kind", &S::kind, "", {{"along", HouseTieKind::along}, {"across", HouseTieKind::across}},
+           "along: through each side, plates on the walls in which it ends; across: between the outer faces of two, square to the first")),
+       required(value<S>("walls", &S::walls, "", filled(), "straight sides, named as those of floors; across: two that face each other")),
+       required(value<S>("heights", &S::heights, "m", at_least(0.0).usually(usual::kLevel), "above base.z, a rod at each")),
+       value<S>("at", &S::at, "m", at_least(0.0).usually(usual::kHouse),
+                "across: where along the line of the first wall from its first point, a rod at each"),
+       value<S>("depth", &S::depth, "m", at_least(0.0).usually(usual::kThickness),
+                "along: from the left face of the side, seen along it; none: half its thickness")},
+      check_house_tie};
+  add_bar_keys(
+      table.keys, [](auto& s) -> auto& { return s.bar; });
+  return table;
+}
+
 Table<HouseMesh> house_mesh_table() {
   using S = HouseMesh;
   return {"a net, mesh or bandage on the faces of walls: straps between nodes, in tension alone",

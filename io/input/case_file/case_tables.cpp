@@ -276,6 +276,7 @@ Table<Case> whole_case() {
            table<S>("floor", &S::floors, wall_floor_table()),
            table<S>("roof", &S::roofs, wall_roof_table()),
            table<S>("vault", &S::vaults, wall_vault_table()),
+           table<S>("wall_tie", &S::wall_ties, wall_tie_table()),
            table<S>("block", &S::blocks, block_table()),
            table<S>("stones", &S::stones, stones_table()),
            table<S>("load", &S::loads, load_table()),

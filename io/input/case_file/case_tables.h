@@ -37,6 +37,7 @@ Table<cases::Analysis> analysis_table();
 void check_analysis(const cases::Case& c, const RuleCheck& check);
 Table<cases::Tie> tie_table();
 Table<cases::HouseTie> house_tie_table();
+Table<cases::HouseTie> wall_tie_table();
 Table<cases::HouseMesh> house_mesh_table();
 Table<cases::Floor> house_floor_table();
 Table<cases::Tie> roof_tie_table();

@@ -1506,6 +1506,47 @@ class Vault(Part):
 
 
 @dataclass(kw_only=True, slots=True)
+class WallTie(Part):
+    """[[wall_tie]]: rods by sides of [[wall]] and height: through sides from end to end, or across from one to another.
+
+    name: begins the names of its ties; not empty; needed
+    kind: along: through each side, plates on the walls in which it ends; across: between the outer faces of two, square to the first; needed
+    walls: straight sides, named as those of floors; across: two that face each other; not empty; needed
+    heights, m: above base.z, a rod at each; >= 0, usually 0.001 to 60, at most 60000; needed
+    at, m: across: where along the line of the first wall from its first point, a rod at each; >= 0, usually 0.1 to 100, at most 1e5
+    depth, m: along: from the left face of the side, seen along it; none: half its thickness; >= 0, usually 0.05 to 5, at most 5000
+    area, m2: of its section; > 0, usually 1e-7 to 0.1, possible 9.999999999999999e-11 to 100; needed
+    young, Pa: modulus; the default is that of steel; > 0, usually 1e7 to 1e12, possible 10000 to 1e15; default 210000000000.0
+    yield_, Pa: stress at which it yields; none: elastic; > 0, usually 1e5 to 5e9, possible 100 to 5e12
+    hardening, Pa: slope of stress over strain beyond yield; >= 0, usually 10000 to 1e12, at most 1e15; default 0.0
+    elongation: strain at which it breaks; none: never; > 0, usually 0.001 to 1, possible 1e-6 to 1000
+    pretension, N: force that it would have if its ends did not move; put on with gravity, or at once without settling; >= 0, usually 50 to 1e7, at
+      most 1e10; default 0.0
+    compression: bears compression, too, without buckling; else it goes slack; default False
+    plate, m, 2 values: width and height of the anchor plates that spread its force over the faces they cover; none: each end holds one element; > 0,
+      usually 0.01 to 2, possible 1e-5 to 2000
+    """
+
+    _table: ClassVar[str] = "wall_tie"
+    _array: ClassVar[bool] = True
+
+    name: str
+    kind: Literal["along", "across"]
+    walls: Sequence[str]
+    heights: Sequence[float]
+    at: Sequence[float] | None = None
+    depth: float | None = None
+    area: float
+    young: float | None = None
+    yield_: float | None = None
+    hardening: float | None = None
+    elongation: float | None = None
+    pretension: float | None = None
+    compression: bool | None = None
+    plate: Sequence[float] | None = None
+
+
+@dataclass(kw_only=True, slots=True)
 class Block(Part):
     """[[block]]: a block by itself: box, vertices, or polygon and extrude.
 
@@ -1706,6 +1747,7 @@ class Case(Part):
     floor: beams between two walls of [[wall]], in pockets or upon them, with or without a deck: a floor, or a flat roof
     roof: pairs of rafters between two parallel walls of [[wall]] of the same height, with gables under them
     vault: a barrel vault on two parallel walls of [[wall]] of the same height, as rings of voussoirs; joints have the laws of [joints]
+    wall_tie: rods by sides of [[wall]] and height: through sides from end to end, or across from one to another
     block: a block by itself: box, vertices, or polygon and extrude
     stones: stones out of a file: every closed body in it is one
     load: a force and a moment on a block, constant after the ramp unless they grow
@@ -1736,6 +1778,7 @@ class Case(Part):
     floor: Sequence[Floor] | None = None
     roof: Sequence[Roof] | None = None
     vault: Sequence[Vault] | None = None
+    wall_tie: Sequence[WallTie] | None = None
     block: Sequence[Block] | None = None
     stones: Sequence[Stones] | None = None
     load: Sequence[Load] | None = None
@@ -1749,4 +1792,4 @@ __all__ = ["Analysis", "Base", "BasePart", "BasePartMotion", "Block", "BlockMoti
            "HousePier", "HouseReinforcement", "HouseRoof", "HouseRoofDeck", "HouseRoofTie", "HouseRubble", "HouseStorey", "HouseTie", "HouseWood",
            "JointLaw", "Joints", "JointsBetween", "Load", "Material", "Motion", "MotionIntensity", "Output", "OutputCut", "OutputHistory", "Roof",
            "RoofDeck", "RoofTie", "Scatter", "Segments", "Stones", "StonesMotion", "StonesTurn", "Tie", "Time", "Vault", "Wall", "WallOpening",
-           "WallOpeningArch", "WallOpeningLintel"]
+           "WallOpeningArch", "WallOpeningLintel", "WallTie"]

@@ -67,6 +67,7 @@ std::vector<std::string> cases_of(const std::string& table) {
                                                                       {"roof", {"spans"}},
                                                                       {"roof.tie", {"spans"}},
                                                                       {"roof.deck", {"spans"}},
+                                                                      {"wall_tie", {"spans"}},
                                                                       {"house", {"house"}},
                                                                       {"house.rubble", {"rubble"}},
                                                                       {"house.leaves", {"leaves"}},

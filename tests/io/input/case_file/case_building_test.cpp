@@ -178,6 +178,15 @@ TEST_CASE("case file: every key of floors and roofs between walls is read") {
   CHECK(r.rafters.element == 0.45);
   CHECK(r.rafters.between_beams == "dry");
   CHECK(r.rafters.surcharge == 55.0);
+  REQUIRE(c.wall_ties.size() == 2);
+  CHECK(c.wall_ties[0].bar.name == "side rods");
+  CHECK(c.wall_ties[0].kind == cases::HouseTieKind::along);
+  CHECK(c.wall_ties[0].walls == std::vector<std::string>{"street 1", "yard"});
+  CHECK(c.wall_ties[0].heights == std::vector{2.1});
+  CHECK(c.wall_ties[0].depth == 0.1);
+  CHECK(c.wall_ties[0].bar.area == 4e-4);
+  CHECK(c.wall_ties[1].kind == cases::HouseTieKind::across);
+  CHECK(c.wall_ties[1].at == std::vector{1.25});
   REQUIRE(c.vaults.size() == 1);
   const cases::WallVault& v = c.vaults[0];
   CHECK(v.name == "nave");
