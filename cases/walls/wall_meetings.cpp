@@ -55,6 +55,7 @@ class Finder {
   [[nodiscard]] Leg& leg(std::size_t i) const { return plan_.legs[i]; }
   [[nodiscard]] const Facet& facet(LegSide s) const { return leg(s.leg).facets[s.facet]; }
   [[nodiscard]] bool is_last(LegSide s) const { return s.facet + 1 == leg(s.leg).facets.size(); }
+  [[nodiscard]] bool has_end(LegSide s, LegEnd which) const { return which == LegEnd::low ? s.facet == 0 : is_last(s); }
 
   [[nodiscard]] bool is_own_corner(LegSide a, LegSide b) const {
     return (own_.contains({a.leg, b.leg}) && is_last(a) && b.facet == 0) || (own_.contains({b.leg, a.leg}) && is_last(b) && a.facet == 0);
@@ -122,7 +123,7 @@ class Finder {
     const Facet &fa = facet(a), &fb = facet(b);
     const double margin = lb.ring ? kPlanTolerance : 2.0 * la.half + kPlanTolerance;
     for (const LegEnd which : {LegEnd::low, LegEnd::high}) {
-      if (!(which == LegEnd::low ? a.facet == 0 : is_last(a)) || la.end(which) != nullptr) continue;
+      if (!has_end(a, which) || la.end(which) != nullptr) continue;
       const Vec3 p = fa.from + (which == LegEnd::high ? fa.length : 0.0) * fa.along + la.line * fa.across;
       const double along = dot(p - fb.from, fb.along), across = dot(p - fb.from, fb.across);
       if (std::abs(across) > lb.half + kPlanTolerance) continue;
@@ -137,6 +138,7 @@ class Finder {
 
   [[nodiscard]] LegEnd end_in(LegSide a, LegSide b) const {
     for (const LegEnd which : {LegEnd::low, LegEnd::high}) {
+      if (!has_end(a, which)) continue;
       const auto found = free_ends_.find({a.leg, which});
       if (found != free_ends_.end() && found->second.in.leg == b.leg && found->second.in.facet == b.facet) return which;
     }

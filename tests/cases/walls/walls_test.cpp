@@ -168,6 +168,20 @@ TEST_CASE("a wall that crosses a curved one behind its bend, and one that ends i
   }
 }
 
+TEST_CASE("a curved wall ends in a straight one with its first or its last point, whichever way its other sides point") {
+  const double y = 1.0, bent_length = 0.9 + std::hypot(1.0, 0.375);
+  const Points points{{0.45, y}, {1.35, y}, {2.35, y + 0.375}};
+  for (const bool reversed : {false, true}) {
+    for (const WallMeeting meeting : {WallMeeting::toothed, WallMeeting::butt}) {
+      CAPTURE(reversed);
+      CAPTURE(static_cast<int>(meeting));
+      WallSpec bent = wall("bent", reversed ? Points(points.rbegin(), points.rend()) : points, 0.9, 1.2, WallBond::through);
+      bent.meeting = meeting;
+      check_sound(case_of({wall("straight", {{0.0, -0.15}, {0.0, 6.35}}, 0.9, 1.2), bent}), 1.2 * 0.9 * (6.5 + bent_length), 2e-3);
+    }
+  }
+}
+
 TEST_CASE("the load on a wall is carried by its top course") {
   WallSpec w = wall("w", {{0.0, 0.0}, {4.0, 0.0}}, 0.4, 2.0);
   w.load = 350.0;
