@@ -17,8 +17,9 @@ namespace voussoir::solver {
 namespace {
 
 // Of a segment. Under the rule of centres points lie half a segment inside the edge: a little less, so that what rests on such a contact is
-// no deeper than half a segment. Under that of the rim points see all but edges that cross, and free ones lie a hundredth inside.
-constexpr double kAllowed = 0.45, kAllowedToRim = 0.04;
+// no deeper than half a segment. Under that of the rim points see all but edges that cross, and free ones lie a hundredth inside. With
+// contact.restitution an edge or a corner is to push where it is, not where the points beside it are.
+constexpr double kAllowed = 0.45, kLittleAllowed = 0.04;
 constexpr double kSameDirection = 1e-9;  // sine between edges that are parallel
 
 /// From the centroid, in multiples of 2^-40 m, so that equal bricks have equal shapes.
@@ -127,7 +128,8 @@ void set_up_overlaps(World& w) {
                        .faces = std::span<const kernels::Face>(w.faces).subspan(r.first_face, r.face_count),
                        .creases = std::span(o.creases).subspan(r.creases, r.crease_count)});
   }
-  const double allowed = m.assembly.rule == geometry::SegmentRule::rim ? kAllowedToRim : kAllowed;
+  const bool little = m.assembly.rule == geometry::SegmentRule::rim || w.contact.restitution > 0.0;
+  const double allowed = little ? kLittleAllowed : kAllowed;
   // A cube of the same volume, between its centroid and a face (Eq. 1 over that face): 2 E' V^(1/3).
   for (std::size_t i = 0; i < m.blocks.size(); ++i) {
     if (m.blocks[i].ground >= 0) {
