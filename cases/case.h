@@ -51,6 +51,7 @@ struct Case {
   std::optional<Motion> motion;
   std::optional<double> segment_size;                                   // m; key segments.size
   geometry::SegmentRule segment_rule = geometry::SegmentRule::centres;  // key segments.rule
+  geometry::Torsion segment_torsion = geometry::Torsion::paper;         // key segments.torsion
   Output output;
   std::optional<House> house;
   std::vector<WallSpec> walls;      // key: wall

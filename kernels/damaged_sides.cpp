@@ -127,18 +127,24 @@ GaveWay give_way(const SideLaws& laws, const LaneFields& f, int lane, double kn,
   return give_way(laws, fields, kn, parts.factor, parts.points, parts.segments, step);
 }
 
+bool any_held(const SegmentsView& q, int first, int last) noexcept {
+  return std::any_of(q.bond + first, q.bond + last, [](Bond b) { return holds(b); });
+}
+
 /// Advances all segments of one side.
 VOUSSOIR_INLINE void advance_side(const SideBlock& block, int l, const LaneFields& f, int lane, const SideParts& parts,
                                   const SideLaws& laws, StepClock clock, FailureOptions o, Literal& found, SumRows& rows,
                                   DamagedSide& result, EventSink& sink) noexcept {
   Law law = law_of(*block.constants, l, f, lane, parts, clock.dt, o);
   const bool own = laws.has_bonds_of_its_own();
-  if (own) law.o.brittle = true;  // what reaches a limit is for the literal law, and so is what the law has changed
+  const bool twists = block.constants->twist[l] != 0.0;  // then the literal law has all bonded segments
+  if (own) law.o.brittle = true;                         // what reaches a limit is for the literal law, and so is what the law has changed
   Totals sum;
   const int before = sink.count;
   for (int i = 0; i < parts.points.n; i += kWidth) {
-    const bool changed = own && has_changed_bonds(laws, i, std::min(i + kWidth, parts.points.n));
-    if (!changed && advance_chunk(law, parts.points, parts.segments, i, sum)) continue;
+    const int end = std::min(i + kWidth, parts.points.n);
+    const bool changed = own && has_changed_bonds(laws, i, end);
+    if (!(twists && any_held(parts.segments, i, end)) && !changed && advance_chunk(law, parts.points, parts.segments, i, sum)) continue;
     Side side = side_of(block, l, parts);
     side.laws = &laws;
     advance_literally(side, f, lane, parts, i, clock, o, found, sink);

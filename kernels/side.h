@@ -30,11 +30,15 @@ struct alignas(64) SideConstants {
   double s_low[kLanes], s_high[kLanes], t_low[kLanes], t_high[kLanes];  // m, bounding rectangle of all contact points
   double tension[kLanes], cohesion[kLanes], tan_phi[kLanes], compression[kLanes], cap[kLanes];
   double friction[kLanes];  // tan φ of the contact that a broken bond becomes: see Strength
+  double twist[kLanes];     // see Side::twist
 };
 /// Number of doubles per side.
 inline constexpr std::size_t kSideNumbers = sizeof(SideConstants) / (sizeof(double) * kLanes);
 
 struct WholeConstants;  // kernels/whole_sides.h
+
+/// SideBlock::axis of blocks with a side whose `twist` is not zero. set_whole writes it.
+inline constexpr std::int32_t kSolidFaces = -2;
 
 /// kLanes sides: their constants and elements. Unused lanes are between the base and itself.
 struct SideBlock {
@@ -54,6 +58,7 @@ struct Side {
   double factor = 0.0;  // factor of Eq. 11 on the segment areas
   Stiffness k;
   Strength strength;
+  double twist = 0.0;               // what is added to 1 as a factor on the slip of bonded segments by twist, THEORY.md (11a); 0: G I_p
   const SideLaws* laws = &kNoLaws;  // the optional ones
 };
 
@@ -71,6 +76,11 @@ SideFrame side_frame(const Side& side, const Pose& a, const Pose& b, const Twist
 struct AffineField {
   Local d, ds, dt;
 };
+
+/// What a side's `twist` adds to u(s,t) of its bonded segments, or to its rate (THEORY.md (11a)).
+inline Local added_by_twist(double twist, const Local& ds, const Local& dt, double s, double t) noexcept {
+  return {0.0, twist * t * dt.s1, twist * s * ds.s2};
+}
 
 /// Force on the master and torques about both centroids from the sums.
 void to_wrench(const SideFrame& f, const SideSums& sums, Vec3& force, Vec3& torque_a, Vec3& torque_b) noexcept;
@@ -182,11 +192,11 @@ AdvanceSides advance_sides;            // several lanes, or several segments of 
 AdvanceSides advance_sides_reference;  // the plain twin: all segments of all lanes, one by one
 
 /// Makes a damaged side steady if possible: some segment is bonded, no unbonded segment touches or is crushed, none is at a limit.
-/// \param u  displacement of its faces when its segments were processed, in this step
+/// \param faces  their displacement when its segments were processed, in this step
 /// \param farthest  m, greatest slide from there
 /// \param known  of its block; the side's lane is written
 /// \return false if the side cannot be steady; its lane of `known` is then undefined
-bool make_steady(const SideBlock& block, int lane, const SideParts& parts, const AffineField& u, double farthest, FailureOptions o,
+bool make_steady(const SideBlock& block, int lane, const SideParts& parts, const AffineField& faces, double farthest, FailureOptions o,
                  SteadySides& known) noexcept;
 
 /// Copies side `lane` out of a block.

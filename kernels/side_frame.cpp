@@ -60,7 +60,8 @@ Side side_of(const SideBlock& block, int l, const SideParts& parts) noexcept {
           .on_base = (block.on_base >> l & 1U) != 0,
           .factor = parts.factor,
           .k = {b.kn[l], b.ks[l], parts.cn, parts.cs},
-          .strength = {b.tension[l], b.cohesion[l], b.tan_phi[l], b.compression[l], b.cap[l], b.friction[l]}};
+          .strength = {b.tension[l], b.cohesion[l], b.tan_phi[l], b.compression[l], b.cap[l], b.friction[l]},
+          .twist = b.twist[l]};
 }
 
 }  // namespace voussoir::kernels

@@ -114,6 +114,22 @@ VOUSSOIR_INLINE FrameLanes frame_of(const SideBlock& block, int at, const Kinema
   return frame_of(n, base == 0 ? k.es : select3(lanes_of(base), load3(block.constants->es, at), k.es));
 }
 
+/// Slip by twist of faces that twist as solids do, THEORY.md (11a): a and b of bonded segments from those of the faces, and by the same map
+/// Σ s f dA and Σ t f dA, so that force and slip do the same work.
+struct SolidFaces {
+  VecLanes t1, t2;  // of the frame
+  Lanes twist;
+  [[nodiscard]] VOUSSOIR_INLINE VecLanes along_s(VecLanes a) const noexcept { return a + (twist * dot(a, t2)) * t2; }
+  [[nodiscard]] VOUSSOIR_INLINE VecLanes along_t(VecLanes b) const noexcept { return b + (twist * dot(b, t1)) * t1; }
+};
+/// \param n,es  of any length; on the base es of the reference is used
+VOUSSOIR_INLINE SolidFaces solid_faces(const SideBlock& block, int at, VecLanes n, VecLanes es, Lanes twist) noexcept {
+  const unsigned base = based(block, at);
+  const VecLanes from = base == 0 ? es : select3(lanes_of(base), load3(block.constants->es, at), es);
+  const FrameLanes f = frame_of((1.0 / sqrt(dot(n, n))) * n, from);
+  return {f.t1, f.t2, twist};
+}
+
 /// Least u_n = dn + s an + t bn over the rectangles of the points [m].
 VOUSSOIR_INLINE Lanes least_opening(const SideConstants& s, int at, Lanes dn, Lanes an, Lanes bn) noexcept {
   const Lanes s0 = load_lanes(s.s_low + at) * an, s1 = load_lanes(s.s_high + at) * an;

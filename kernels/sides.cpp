@@ -20,6 +20,22 @@ VOUSSOIR_INLINE unsigned certain_of(const SideConstants& s, int at, unsigned who
   return straight & bits(certified(s, at, k, o));
 }
 
+/// Whole and steady sides of a group whose faces twist as solids do: as in advance_any. Returns the lanes that are certain.
+[[gnu::noinline]] unsigned closed_forms(const SideBlock& block, int at, unsigned whole, unsigned steady, const BlockState& state,
+                                        Kinematics k, FailureOptions o, SumLanes& sums) noexcept {
+  const SideConstants& constants = *block.constants;
+  const SolidFaces solid = solid_faces(block, at, k.n, k.es, load_lanes(constants.twist + at));
+  k.a = solid.along_s(k.a), k.b = solid.along_t(k.b);
+  unsigned certain = 0;
+  if (whole != 0) {
+    certain = certain_of(constants, at, whole, k, o);
+    sums = elastic_sums(constants, at, k);
+  }
+  if (steady != 0) certain |= steady & bits(stay_steady(block, *state.steady, at, k, steady_lanes(state.side_state + at), sums));
+  sums.sf = solid.along_s(sums.sf), sums.tf = solid.along_t(sums.tf);
+  return certain;
+}
+
 /// Advances the sides `live` of a group, whatever their states. Returns the lanes processed segment by segment. A separate function, so
 /// that groups of whole sides only need no stack space for it.
 [[gnu::noinline]] unsigned advance_any(const SideBlock& block, int at, unsigned live, const BlockState& state, const Rows& rows,
@@ -36,11 +52,15 @@ VOUSSOIR_INLINE unsigned certain_of(const SideConstants& s, int at, unsigned who
   }
   SumLanes sums{};
   unsigned certain = 0;
-  if (whole != 0) {
+  if (block.axis == kSolidFaces) {
+    certain = closed_forms(block, at, whole, steady, state, k, o, sums);
+  } else if (whole != 0) {
     certain = certain_of(constants, at, whole, k, o);
     sums = elastic_sums(constants, at, k);
   }
-  if (steady != 0) certain |= steady & bits(stay_steady(block, *state.steady, at, k, steady_lanes(state.side_state + at), sums));
+  if (steady != 0 && block.axis != kSolidFaces) {
+    certain |= steady & bits(stay_steady(block, *state.steady, at, k, steady_lanes(state.side_state + at), sums));
+  }
   const unsigned left = live & ~(certain | still_open);
   if (left != 0) advance_damaged(block, at, left, state, k, rows, clock, o, sums, result + at, sink);
   assemble(block, at, state.first, wrench_of(k, sums), certain | left, rows, false);
@@ -81,6 +101,10 @@ void whole_side_energies(const SideBlock& block, const double* pose, double* ene
   for (int at = 0; at < kLanes; at += kWidth) {
     Kinematics k = kinematics(block, at, pose);
     k.n = (1.0 / sqrt(dot(k.n, k.n))) * k.n;
+    if (block.axis == kSolidFaces) {
+      const SolidFaces solid = solid_faces(block, at, k.n, k.es, load_lanes(s.twist + at));
+      k.a = solid.along_s(k.a), k.b = solid.along_t(k.b);
+    }
     const Lanes ks = load_lanes(s.ks + at), extra = load_lanes(s.kn + at) - ks;
     const VecLanes ga = spring(ks, extra, k.n, k.a), gb = spring(ks, extra, k.n, k.b), gd = spring(ks, extra, k.n, k.d);
     const Lanes twice = load_lanes(s.area + at) * dot(k.d, gd) + load_lanes(s.sss + at) * dot(k.a, ga) +

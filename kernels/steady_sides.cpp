@@ -53,13 +53,15 @@ void add_bond(SteadySides& known, int l, double da, double s, double t, double s
 
 }  // namespace
 
-bool make_steady(const SideBlock& block, int lane, const SideParts& parts, const AffineField& u, double farthest, FailureOptions o,
+bool make_steady(const SideBlock& block, int lane, const SideParts& parts, const AffineField& faces, double farthest, FailureOptions o,
                  SteadySides& known) noexcept {
   const Side side = side_of(block, lane, parts);
   const PointsView& p = parts.points;
   const SegmentsView& q = parts.segments;
+  AffineField u = faces;  // of bonded segments; of the others u_n alone counts
+  u.ds.s2 *= 1.0 + side.twist, u.dt.s1 *= 1.0 + side.twist;
   Distances to;
-  to.shear = side.k.ks * farthest;
+  to.shear = side.k.ks * farthest * std::min(1.0, 1.0 + side.twist);
   bool any = false;
   clear_sums(known, lane);
   for (int i = 0; i < p.n; ++i) {

@@ -77,6 +77,7 @@ void set_lane(const SideConstants& c, int l, bool on_base, const Principal& p, W
   w.about_s[l] = 0.5 * c.ks[l] * p.sss, w.about_t[l] = 0.5 * c.ks[l] * p.stt;
   w.reach_s[l] = p.reach_s, w.reach_t[l] = p.reach_t;
   w.normal[l] = 0.25 * (c.kn[l] - c.ks[l]) / c.ks[l];
+  w.twist[l] = c.twist[l];
   w.mean[l] = c.mean[l], w.normal_turns[l] = on_base ? 0.0 : 1.0;
   set_limits(c, l, w);
 }
@@ -106,7 +107,7 @@ WholeConstants whole_constants(const SideConstants& c, unsigned on_base) noexcep
     const int here = c.mean[l] == 0.5 ? axis_of_side(principal[l].es, principal[l].et) : -1;
     axis = axis == -2 || axis == here ? here : -1;
   }
-  w.axis = std::max(axis, -1);
+  w.axis = std::any_of(c.twist, c.twist + kLanes, [](double t) { return t != 0.0; }) ? kSolidFaces : std::max(axis, -1);
   for (int l = 0; l < kLanes && w.axis >= 0; ++l) {
     if (c.area[l] != 0.0) turn_to(w.axis, l, principal[l], w);
   }
@@ -191,14 +192,20 @@ VOUSSOIR_INLINE bool advance_group(const SideBlock& block, int at, unsigned live
   stand<axis>(c, at, 0, a, b, &VecLanes::x, k);
   stand<axis>(c, at, 1, a, b, &VecLanes::y, k);
   stand<axis>(c, at, 2, a, b, &VecLanes::z, k);
+  SolidFaces solid;
+  if constexpr (axis == kSolidFaces) {
+    solid = solid_faces(block, at, k.n, k.es, load_lanes(c.twist + at));
+    k.a = solid.along_s(k.a), k.b = solid.along_t(k.b);
+  }
   const Lanes e = 0.25 * dot(k.n, k.n) - 1.0;
   const Lanes dn = dot(k.d, k.n), an = dot(k.a, k.n), bn = dot(k.b, k.n);
   if ((bits(inside(c, at, k, e, dn, an, bn)) & live) != live) return false;
   // K u / k̄_s = u + (k̄_n − k̄_s)/k̄_s (u·n) n / n², and 1/n² = 1 − e + e² − e³.
   const Lanes f = load_lanes(c.normal + at) * (1.0 - e * (1.0 - e * (1.0 - e)));
   const VecLanes force = load_lanes(c.force + at) * scaled_sum(f * dn, k.n, k.d);
-  const VecLanes along_s = load_lanes(c.about_s + at) * scaled_sum(f * an, k.n, k.a);
-  const VecLanes along_t = load_lanes(c.about_t + at) * scaled_sum(f * bn, k.n, k.b);
+  VecLanes along_s = load_lanes(c.about_s + at) * scaled_sum(f * an, k.n, k.a);
+  VecLanes along_t = load_lanes(c.about_t + at) * scaled_sum(f * bn, k.n, k.b);
+  if constexpr (axis == kSolidFaces) along_s = solid.along_s(along_s), along_t = solid.along_t(along_t);
   const VecLanes m = cross_plus(k.es, along_s, cross(k.et, along_t));
   assemble(block, at, first, {force, cross_plus(k.arm_a, force, m), cross_plus(k.arm_b, force, m)}, live, rows, false);
   note_copies(rows, first + at, live);
@@ -245,6 +252,9 @@ std::size_t advance_whole(const WholeRun& run, const Rows& rows, unsigned& lanes
         break;
       case 2:
         certain = advance_along<2>(run, i, rows, lanes);
+        break;
+      case kSolidFaces:
+        certain = advance_along<kSolidFaces>(run, i, rows, lanes);
         break;
       default:
         certain = advance_along<-1>(run, i, rows, lanes);

@@ -24,7 +24,9 @@ struct alignas(64) WholeConstants {
   double forward[kLanes], backward[kLanes], slide2[kLanes];
   // Tangents; share of the slave in mean tangents and point of action; whether the normal turns (0: on the base, THEORY.md (10a)).
   double es[3][kLanes], et[3][kLanes], mean[kLanes], normal_turns[kLanes];
-  int axis;  // 0, 1, 2: every side acts at the midpoint, its normal lies along this axis and its tangents along the next two; −1: any block
+  double twist[kLanes];  // Side::twist
+  int axis;  // 0, 1, 2: every side acts at the midpoint, its normal lies along this axis and its tangents along the next two; −1: any
+             // block; kSolidFaces
 };
 
 /// The axis of the normal of a side whose tangents lie along the other two axes; −1: none. Sides of one axis belong in one block.

@@ -12,4 +12,7 @@ enum class SegmentRule : std::uint8_t {
   rim       // at points up to the rim of the common area of two faces, with weights that give its area, first and second moments exactly
 };
 
+/// How joints resist a twist about their normals: with G I_p, as faces that stay plane, or with Saint-Venant's constant (torsion.h).
+enum class Torsion : std::uint8_t { paper, solid };
+
 }  // namespace voussoir::geometry

@@ -15,6 +15,12 @@ void add(SideSums& sums, Local f, double s, double t) noexcept {
   sums.tf = sums.tf + t * f;
 }
 
+/// What `twist` adds to the moments of a bonded segment, so that force and slip do the same work.
+void add_twist(SideSums& sums, double twist, Local f, double s, double t) noexcept {
+  sums.sf.s2 += twist * s * f.s2;
+  sums.tf.s1 += twist * t * f.s1;
+}
+
 void record(const SegmentStep& step, SegmentsView q, int i, std::int32_t id, double time, EventSink& sink) noexcept {
   if (step.reached == Mode::none && step.broke == Mode::none) return;
   if (q.first_mode[i] == Mode::none && step.reached != Mode::none) {
@@ -65,14 +71,20 @@ void hand_out(const Side& side, std::int64_t id, const SideFrame& f, const Segme
 }
 
 /// \param law  advances segment i: (state, i, u, rate) -> SegmentStep
-template <typename Law>
+/// \tparam kTwists  whether the side's `twist` counts; compiled apart, so that sides without one keep their last digits
+template <bool kTwists, typename Law>
 [[gnu::noinline]] SegmentTotals advance_by(const Law& law, const Side& side, std::int32_t id, const SideFrame& f, PointsView p,
                                            SegmentsView q, double time, EventSink& sink) noexcept {
   SegmentTotals r;
   for (int i = 0; i < p.n; ++i) {
     const double s = p.s[i], t = p.t[i], da = side.factor * p.area[i];
-    const Local u = f.d + s * f.ds + t * f.dt;
-    const Local rate = f.v + s * f.vs + t * f.vt;
+    Local u = f.d + s * f.ds + t * f.dt;
+    Local rate = f.v + s * f.vs + t * f.vt;
+    const bool twists = kTwists && holds(q.bond[i]);
+    if (twists) {
+      u = u + added_by_twist(side.twist, f.ds, f.dt, s, t);
+      rate = rate + added_by_twist(side.twist, f.vs, f.vt, s, t);
+    }
     SegmentState state{q.bond[i], q.slip1(i), q.slip2(i), q.closure(i)};
     const SegmentStep out = law(state, i, u, rate);
     q.bond[i] = state.bond;
@@ -80,6 +92,8 @@ template <typename Law>
     record(out, q, i, id, time, sink);
     add(r.total, da * out.traction, s, t);
     add(r.dash, da * out.dashpot, s, t);
+    if (twists) add_twist(r.total, side.twist, da * out.traction, s, t);
+    if (twists) add_twist(r.dash, side.twist, da * out.dashpot, s, t);
     r.friction += da * out.friction;
     r.impact += da * out.impact;
     r.fracture += da * out.fracture;
@@ -94,15 +108,17 @@ template <typename Law>
 
 SegmentTotals advance_segments(const Side& side, std::int32_t id, const SideFrame& f, PointsView p, SegmentsView q, double step,
                                double time, FailureOptions o, EventSink& sink) noexcept {
-  return with_segment_law(*side.laws, side.k, side.strength, step, o,
-                          [&](const auto& law) { return advance_by(law, side, id, f, p, q, time, sink); });
+  return with_segment_law(*side.laws, side.k, side.strength, step, o, [&](const auto& law) {
+    return side.twist == 0.0 ? advance_by<false>(law, side, id, f, p, q, time, sink) : advance_by<true>(law, side, id, f, p, q, time, sink);
+  });
 }
 
 SideEnergy segment_energy(const Side& side, const SideFrame& f, PointsView p, SegmentsView q) noexcept {
   SideEnergy e;
   for (int i = 0; i < p.n; ++i) {
-    const Local u = f.d + p.s[i] * f.ds + p.t[i] * f.dt;
+    Local u = f.d + p.s[i] * f.ds + p.t[i] * f.dt;
     const bool held = holds(q.bond[i]);
+    if (side.twist != 0.0 && held) u = u + added_by_twist(side.twist, f.ds, f.dt, p.s[i], p.t[i]);
     const double n = u.n - q.closure(i);
     if (!held && n >= 0.0) continue;
     const Local x = held ? Local{n, u.s1 - q.slip1(i), u.s2 - q.slip2(i)} : Local{n, q.slip1(i), q.slip2(i)};

@@ -33,6 +33,12 @@ kernels::Patch patch_of(const World& w, std::int64_t id, const kernels::Side& s,
   return p;
 }
 
+/// u of a segment, as its spring has it.
+kernels::Local elongation(const kernels::Side& side, const kernels::SideFrame& f, double s, double t, bool held) {
+  const kernels::Local u = f.d + s * f.ds + t * f.dt;
+  return held && side.twist != 0.0 ? u + kernels::added_by_twist(side.twist, f.ds, f.dt, s, t) : u;
+}
+
 /// Bonds that still pull when their faces have slid past each other end with the side. Counts as fracture what their springs held, and by
 /// the trapezoid rule the work of their last force in the coming step, as advance_segment does for one that breaks (a row of the ledger in
 /// this very step has that work early).
@@ -42,7 +48,7 @@ void record_torn_bonds(World& w, std::int64_t id, const kernels::Side& s, const 
   const kernels::PointsView points = w.points.view(w.sides.set[i]);
   const kernels::SegmentsView q = w.sides.segments(id);
   for (int k = 0; k < points.n; ++k) {
-    const kernels::Local u = f.d + points.s[k] * f.ds + points.t[k] * f.dt;
+    const kernels::Local u = elongation(s, f, points.s[k], points.t[k], kernels::holds(q.bond[k]));
     const kernels::Local x{u.n - q.closure(k), u.s1 - q.slip1(k), u.s2 - q.slip2(k)};
     if (!kernels::holds(q.bond[k]) || x.n < 0.0) continue;
     const double kn = kernels::bond_stiffness(*s.laws, k, x.n, s.k.kn);
@@ -67,11 +73,11 @@ void hand_over(World& w, std::int64_t id, const kernels::Side& s, const kernels:
   const kernels::ContactPoints to = w.patches.points(static_cast<std::int64_t>(p));
   const kernels::Pose pose = kernels::load_pose(w.elements.pose.data(), patch.element);
   for (int k = 0; k < points.n; ++k) {
-    const kernels::Local u = f.d + points.s[k] * f.ds + points.t[k] * f.dt;
+    const bool held = kernels::holds(q.bond[k]);
+    const kernels::Local u = elongation(s, f, points.s[k], points.t[k], held);
     if (to.crushed != nullptr) to.crushed[k] = kernels::crushed_by(*s.laws, k), to.closure(k) = to.recess(k);
     if (u.n - q.closure(k) >= 0.0) continue;
     // Still bonded while it slid half a segment: only the elastic part of its shear lives on.
-    const bool held = kernels::holds(q.bond[k]);
     const double x1 = held ? u.s1 - q.slip1(k) : q.slip1(k), x2 = held ? u.s2 - q.slip2(k) : q.slip2(k);
     const Vec3 x = (mirrored ? -1.0 : 1.0) * (x1 * f.t1 + x2 * f.t2);
     const Vec3 body = x + transposed(pose.d) * x;

@@ -3,6 +3,7 @@
 #include "solver/equilibrium/masses.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -72,6 +73,7 @@ class Bounds {
       const kernels::Face &a = face(w_.sides.master_face[i]), &b = face(w_.sides.slave_face[i]);
       kernels::Stiffness k = s.k;
       if (s.laws->closing.on()) k.kn = s.laws->closing.blocks;  // what it comes to under pressure
+      k.ks *= std::max(1.0, (1.0 + s.twist) * (1.0 + s.twist));
       const kernels::PointsView p = w_.points.view(w_.sides.set[i]);
       add_points(s.master, s.ca, s.es, s.et, share(k, a, b), s.factor, p);
       add_points(s.slave, s.cb, s.es, s.et, share(k, b, a), s.factor, p);

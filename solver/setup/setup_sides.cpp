@@ -10,10 +10,12 @@
 #include "cases/case.h"
 #include "cases/model.h"
 #include "geometry/nth.h"
+#include "geometry/segments/torsion.h"
 #include "solver/schedule/colouring.h"
 #include "solver/setup/point_sets.h"
 #include "solver/setup/setup.h"
 #include "solver/setup/side_kinds.h"
+#include "solver/setup/side_stiffness.h"
 #include "solver/world/first_touch.h"
 
 namespace voussoir::solver {
@@ -181,9 +183,9 @@ void set_moments(kernels::SideConstants& c, const NewSide& side) {
   }
 }
 
-/// Constants of a side, in lane 0.
+/// Constants of a side, in lane 0. \param torsion  m4, constant of its joint; 0: G I_p
 kernels::SideConstants constants_of(const World& w, const NewSide& side, const geometry::Frame& frame, const kernels::Stiffness& k,
-                                    const kernels::Strength& strength) {
+                                    const kernels::Strength& strength, double torsion) {
   kernels::SideConstants c{};
   const auto put = [](double(&to)[3][kernels::kLanes], Vec3 v) { to[0][0] = v.x, to[1][0] = v.y, to[2][0] = v.z; };
   const auto centroid = [&](std::int32_t e) {
@@ -199,6 +201,7 @@ kernels::SideConstants constants_of(const World& w, const NewSide& side, const g
   // comparison. So is a force at the master point along the normal of the base, THEORY.md (10a).
   *c.mean = w.options.merge_sides && side.slave != w.elements.base ? 0.5 : 0.0;
   set_moments(c, side);
+  if (torsion > 0.0) *c.twist = twist_of(c, side.factor * torsion);
   *c.kn = k.kn, *c.ks = k.ks;
   *c.tension = strength.tension, *c.cohesion = strength.cohesion, *c.tan_phi = strength.tan_phi;
   *c.compression = strength.compression, *c.cap = strength.cap, *c.friction = strength.friction;
@@ -228,6 +231,8 @@ std::vector<NewSide> new_sides(const World& w, const cases::Case& c, geometry::S
   SideKinds without_scatter;
   std::vector<std::uint8_t> form;
   form.reserve(sides.capacity());
+  std::vector<geometry::JointTorsion> torsion(w.model.assembly.joints.size());
+  if (c.segment_torsion == geometry::Torsion::solid) torsion = geometry::joint_torsion(w.model.assembly);
   kinds.add(nothing());
   for_each_side(w, store, [&](NewSide& side, const geometry::Frame& frame) {
     const auto joint = static_cast<std::size_t>(side.joint), law_index = static_cast<std::size_t>(w.model.joint_law[joint]);
@@ -238,8 +243,8 @@ std::vector<NewSide> new_sides(const World& w, const cases::Case& c, geometry::S
     const auto strength = [&](double scatter) { return strength_of(law, scatter, is_dry(w, side.joint), friction); };
     const kernels::Stiffness k = joint_stiffness(w, side, law, c.contact.damping);
     side.cn = k.cn, side.cs = k.cs;
-    side.kind = kinds.add(constants_of(w, side, frame, k, strength(w.model.joint_strength[joint])));
-    side.order = without_scatter.add(constants_of(w, side, frame, k, strength(1.0)));
+    side.kind = kinds.add(constants_of(w, side, frame, k, strength(w.model.joint_strength[joint]), torsion[joint].solid));
+    side.order = without_scatter.add(constants_of(w, side, frame, k, strength(1.0), torsion[joint].solid));
     form.push_back(static_cast<std::uint8_t>(form_of(w, side, frame)));
     sides.push_back(side);
   });
@@ -258,8 +263,7 @@ void set_state(World& w, const NewSide& side, std::size_t id, std::int32_t set) 
   s.size[id] = nth(w.model.blocks, side.master).segment_size;
   s.retired[id] = 0;
   s.side_state[id] = dry ? kernels::SideState::segments : kernels::SideState::whole;
-  s.parts[id] = {
-      .id = static_cast<std::int32_t>(id), .factor = side.factor, .cn = side.cn, .cs = side.cs, .points = {}, .segments = {}};
+  s.parts[id] = {.id = static_cast<std::int32_t>(id), .factor = side.factor, .cn = side.cn, .cs = side.cs, .points = {}, .segments = {}};
   const auto n = static_cast<std::int32_t>(side.segments.size());
   s.held[id] = dry ? 0 : n;
   s.bond.resize(s.bond.size() + static_cast<std::size_t>(n), dry ? kernels::Bond::contact : kernels::Bond::bonded);

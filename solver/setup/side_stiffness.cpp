@@ -3,6 +3,7 @@
 #include "solver/setup/side_stiffness.h"
 
 #include <Eigen/Dense>
+#include <cmath>
 
 namespace voussoir::solver {
 
@@ -28,14 +29,22 @@ Relative relative_motion(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 }  // namespace
 
+double twist_of(const kernels::SideConstants& c, double constant) {
+  const double polar = *c.sss + *c.stt;
+  return polar > 0.0 ? std::sqrt(constant / polar) - 1.0 : 0.0;
+}
+
 Stiffness12 side_stiffness(const kernels::Side& side, const kernels::PointsView& points) {
   const Eigen::Vector3d es = vector(side.es), et = vector(side.et), n = es.cross(et);
   const Eigen::Matrix3d d = side.k.ks * Eigen::Matrix3d::Identity() + (side.k.kn - side.k.ks) * n * n.transpose();
+  Eigen::Matrix<double, 1, 12> turn = Eigen::Matrix<double, 1, 12>::Zero();  // about n, of the slave less that of the master
+  turn.segment<3>(3) = -n.transpose(), turn.segment<3>(9) = n.transpose();
   Stiffness12 sum{};
   Eigen::Map<Matrix12> k(sum.data());
   for (int i = 0; i < points.n; ++i) {
     const Eigen::Vector3d at = points.s[i] * es + points.t[i] * et;
-    const Relative b = relative_motion(vector(side.ca) + at, vector(side.cb) + at);
+    Relative b = relative_motion(vector(side.ca) + at, vector(side.cb) + at);
+    if (side.twist != 0.0) b.noalias() += side.twist * n.cross(at) * turn;
     k.noalias() += side.factor * points.area[i] * b.transpose() * d * b;
   }
   return sum;

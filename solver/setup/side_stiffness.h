@@ -12,7 +12,11 @@ namespace voussoir::solver {
 /// A symmetric 12 × 12 matrix for displacement and rotation of the master, then of the slave [N/m, N, N m].
 using Stiffness12 = std::array<double, 144>;
 
-/// Σ Bᵀ D B dA over the contact points of a side (Eqs. 4, 11).
+/// Side::twist with which a side resists a twist about its normal with k_s times a constant of torsion [m4] (its factor of Eq. 11
+/// included).
+double twist_of(const kernels::SideConstants& lane0, double constant);
+
+/// Σ Bᵀ D B dA over the contact points of a side (Eqs. 4, 11), with the slip by twist of its bonded segments, THEORY.md (11a).
 Stiffness12 side_stiffness(const kernels::Side& side, const kernels::PointsView& points);
 
 }  // namespace voussoir::solver

@@ -117,6 +117,7 @@ struct SideUnderTest {
     c.kn[lane] = side.k.kn, c.ks[lane] = side.k.ks;
     c.tension[lane] = side.strength.tension, c.cohesion[lane] = side.strength.cohesion, c.tan_phi[lane] = side.strength.tan_phi;
     c.compression[lane] = side.strength.compression, c.cap[lane] = side.strength.cap, c.friction[lane] = side.strength.friction;
+    c.twist[lane] = side.twist;
     for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
       const double da = side.factor * area[i];
       c.area[lane] += da, c.sss[lane] += da * s[i] * s[i], c.sst[lane] += da * s[i] * t[i], c.stt[lane] += da * t[i] * t[i];

@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <numbers>
 #include <span>
 #include <string>
 #include <utility>
@@ -15,7 +14,6 @@
 #include "cases/case.h"
 #include "cases/census.h"
 #include "cases/house/house_thickness.h"
-#include "cases/levers.h"
 #include "cases/model.h"
 #include "cases/names.h"
 #include "cases/rules/contact_rules.h"
@@ -27,6 +25,7 @@
 #include "io/app/commands/words/check_json.h"
 #include "io/app/commands/words/command_word.h"
 #include "io/app/commands/words/common_words.h"
+#include "io/app/commands/words/joint_words.h"
 #include "io/app/session/exit_code.h"
 #include "io/app/session/likely_slips.h"
 #include "io/app/session/prepared_case.h"
@@ -65,25 +64,6 @@ struct CheckWords {
 };
 
 constexpr double kMegabyte = 1e6;
-
-double degrees(double tangent) { return std::atan(tangent) * 180.0 / std::numbers::pi; }
-
-/// Prints the shortening of levers under SegmentRule::centres: a share of 1/n, THEORY.md (2).
-void print_levers(const cases::Case& c, const cases::Model& m) {
-  const std::vector<cases::Lever> levers = cases::levers(c, m);
-  for (const cases::Lever& l : levers) {
-    std::printf("lever arms of joints     %s of %.3g m: %.3g segments across, short by %.3g %%", l.joint < 0 ? "walls" : "coarsest joint",
-                l.width, l.segments, 100.0 * l.short_by());
-    if (l.joint < 0) {
-      const double slope = l.width / l.height;
-      std::printf(" (%.3g m high and free, such a wall overturns at %.2f instead of %.2f degrees)", l.height,
-                  degrees(slope * (1.0 - l.short_by())), degrees(slope));
-    }
-    std::printf("\n");
-  }
-  if (c.segment_rule == geometry::SegmentRule::rim) std::printf("lever arms of joints     exact\n");
-  if (!levers.empty()) std::printf("                         segments.rule = \"rim\" has exact ones\n");
-}
 
 void print_parts(const cases::Census& n) {
   std::printf("\n%-24s %10s %8s %12s\n", "part", "whole", "cut", "mass [kg]");
@@ -326,6 +306,7 @@ int check(const LoadedCase& c, const CheckOptions& o, int threads) {
   std::printf("volume, mass             %.4f m3, %.1f kg\n", n.volume, n.mass);
   print_stones(c.value);
   print_levers(c.value, model);
+  print_torsion(c.value, model);
   print_ties(model);
   print_bounded_ties(sim.world().ties, model);
   print_step(n, model, sim.world());

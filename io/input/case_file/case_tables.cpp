@@ -190,15 +190,20 @@ Table<Contact> contact_table() {
 
 Table<Case> segments_table() {
   const auto size = [](auto& c) -> auto& { return c.segment_size; };
-  return {"segments of the faces",
-          {value<Case>("size", size, "m", above(0.0).usually(usual::kSegment),
-                       "for all faces; none: per unit, a quarter of its shortest edge; of a block with faces, and of a piece of a stone, a "
-                       "quarter of the least distance between a face and the corner farthest behind it (of a box its shortest edge)"),
-           choice<Case, geometry::SegmentRule Case::*, geometry::SegmentRule>(
-               "rule", &Case::segment_rule, "", {{"centres", geometry::SegmentRule::centres}, {"rim", geometry::SegmentRule::rim}},
-               "where contact points lie: at the centres of n equal cells (the paper's; levers are short by 1/n: a wall of 0.20 m with 4 "
-               "segments across overturns at three quarters of its slope), or up to the rim of each joint, with exact area and moments")},
-          nullptr};
+  return {
+      "segments of the faces",
+      {value<Case>("size", size, "m", above(0.0).usually(usual::kSegment),
+                   "for all faces; none: per unit, a quarter of its shortest edge; of a block with faces, and of a piece of a stone, a "
+                   "quarter of the least distance between a face and the corner farthest behind it (of a box its shortest edge)"),
+       choice<Case, geometry::SegmentRule Case::*, geometry::SegmentRule>(
+           "rule", &Case::segment_rule, "", {{"centres", geometry::SegmentRule::centres}, {"rim", geometry::SegmentRule::rim}},
+           "where contact points lie: at the centres of n equal cells (the paper's; levers are short by 1/n: a wall of 0.20 m with 4 "
+           "segments across overturns at three quarters of its slope), or up to the rim of each joint, with exact area and moments"),
+       choice<Case, geometry::Torsion Case::*, geometry::Torsion>(
+           "torsion", &Case::segment_torsion, "", {{"paper", geometry::Torsion::paper}, {"solid", geometry::Torsion::solid}},
+           "how stiff bonded joints are against a twist about their normals: G I_p (the paper's: a column of 1.0 x 0.1 m is 27 times too "
+           "stiff), or Saint-Venant's constant of bars and plates in place of I_p")},
+      nullptr};
 }
 
 Table<BasePart> base_part_table() {

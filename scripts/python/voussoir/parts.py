@@ -1222,12 +1222,15 @@ class Segments(Part):
       distance between a face and the corner farthest behind it (of a box its shortest edge); > 0, usually 0.001 to 2, possible 1e-6 to 2000
     rule: where contact points lie: at the centres of n equal cells (the paper's; levers are short by 1/n: a wall of 0.20 m with 4 segments across
       overturns at three quarters of its slope), or up to the rim of each joint, with exact area and moments; default "centres"
+    torsion: how stiff bonded joints are against a twist about their normals: G I_p (the paper's: a column of 1.0 x 0.1 m is 27 times too stiff), or
+      Saint-Venant's constant of bars and plates in place of I_p; default "paper"
     """
 
     _table: ClassVar[str] = "segments"
 
     size: float | None = None
     rule: Literal["centres", "rim"] | None = None
+    torsion: Literal["paper", "solid"] | None = None
 
 
 @dataclass(kw_only=True, slots=True)

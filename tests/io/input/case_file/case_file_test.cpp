@@ -77,6 +77,7 @@ TEST_CASE("case file: every key of the analysis is read") {
   CHECK(c.contact.between[1].friction == 33.0);
   CHECK(c.segment_size == 0.025);
   CHECK(c.segment_rule == geometry::SegmentRule::rim);
+  CHECK(c.segment_torsion == geometry::Torsion::solid);
   CHECK(c.output.history_interval == 0.002);
   CHECK(c.output.frame_interval == 0.04);
   CHECK(c.output.ledger_interval == 0.05);
