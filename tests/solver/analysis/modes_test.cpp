@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cases/model.h"
+#include "geometry/segments/torsion.h"
 #include "solver/analysis/impulse.h"
 #include "solver/setup/setup.h"
 #include "tests/cases/paper_house.h"
@@ -43,6 +44,17 @@ TEST_CASE("axial modes of a column are those of the chain of springs") {
     CHECK(m.frequency == doctest::Approx(expected).epsilon(1e-9));
   }
   CHECK(found >= n - 1);
+}
+
+TEST_CASE("torsional modes of a column whose faces twist as solids do are those of Saint-Venant's constant") {
+  constexpr int n = 6;
+  cases::Case c = column(n);
+  c.segment_torsion = geometry::Torsion::solid;
+  const double polar = std::pow(kSide, 4) / 6.0, speed = std::sqrt(9.8e7 / 2.5 / 1800.0);
+  const double share = std::sqrt(geometry::torsion_constant(kSide, kSide) / polar);
+  const std::vector<solver::Mode> modes = modes_of(c, 6 * n - 1);
+  const double expected = share * speed / (std::numbers::pi * kHeight) * std::sin(std::numbers::pi / (4 * n));
+  CHECK(std::ranges::count_if(modes, [&](const solver::Mode& m) { return m.frequency == doctest::Approx(expected).epsilon(1e-9); }) == 1);
 }
 
 TEST_CASE("joints without a bond: left out, or held as if bonded, with the stiffness of the blocks") {
