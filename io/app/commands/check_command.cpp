@@ -188,8 +188,8 @@ void print_rates(std::vector<RateTime> times, const RunTime& own) {
     std::printf("                         no other time.multirate would save a tenth of that\n");
     return;
   }
-  std::printf("with time.multirate = %d  %s and some %s: %.2f and some %.2f of the time\n", best->multirate,
-              format_duration(best->time.intact).c_str(), format_duration(best->time.collapse).c_str(), best->time.intact / own.intact,
+  std::printf("with time.multirate = %d  %s if nothing breaks (%.2f of the above), some %s if it collapses (%.2f)\n", best->multirate,
+              format_duration(best->time.intact).c_str(), best->time.intact / own.intact, format_duration(best->time.collapse).c_str(),
               best->time.collapse / own.collapse);
 }
 

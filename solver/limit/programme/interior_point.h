@@ -33,7 +33,7 @@ using LpWatch = std::function<void(int iteration, double gap)>;
 
 /// A solution with residuals below 1e-8 of their scales. Where rounding does not allow the gap that is asked for, the point of least gap,
 /// 1e-6 at most; none if the method does not get there (there may be no solution).
-/// \param gap  between both programmes, relative to their value or to 1 if that is more: what is enough
+/// \param gap  between both programmes, relative to 1 plus their value: what is enough
 std::optional<InteriorPoint> interior_point(const InteriorProgramme& programme, const LpWatch& watch = {}, double gap = 1e-8);
 
 }  // namespace voussoir::solver

@@ -43,8 +43,8 @@ void add_collapse(std::vector<std::string>& lines, const cases::Case& c, const R
   if (c.time.after_collapse || is_assessment(c.analysis) || collapse < 0.0) return;
   const double later = clock.after(collapse + kWait);
   if (later < kWorthIt * clock.total()) return;
-  lines.push_back("time.after_collapse = 1 would have ended it at " + cases::text(collapse + kWait) + " s: " + format_duration(later) +
-                  " of " + format_duration(clock.total()) + " came later");
+  lines.push_back("with time.after_collapse = 1 the run would have ended at " + cases::text(collapse + kWait) + " s and taken " +
+                  format_duration(later) + " less of " + format_duration(clock.total()));
 }
 
 void add_rates(std::vector<std::string>& lines, const cases::Case& c, const solver::Simulation& sim, const RunClock& clock) {
@@ -56,21 +56,22 @@ void add_rates(std::vector<std::string>& lines, const cases::Case& c, const solv
     if (time && *time < least) least = *time, best = multirate;
   }
   if (best == 0) return;
-  lines.push_back("time.multirate = " + std::to_string(best) + " would have taken about " + percent(least / clock.total()) +
+  lines.push_back("with time.multirate = " + std::to_string(best) + " it would have taken about " + percent(least / clock.total()) +
                   " of the time");
 }
 
 void add_output(std::vector<std::string>& lines, const RunClock& clock) {
   const double share = of(clock.shaking(), solver::Stage::output) / clock.total();
   if (share < kWorthIt) return;
-  lines.push_back("frames and rows took " + percent(share) + " of the time: a longer output.frame_interval or output.history_interval");
+  lines.push_back("writing frames and rows of results took " + percent(share) +
+                  " of the time: lengthen output.frame_interval or output.history_interval");
 }
 
 void add_threads(std::vector<std::string>& lines, const solver::TeamSize& pace) {
   if (pace.time_of_fewer() < 0.5 * pace.time_of_all() || pace.time_of_all() == 0.0) return;
   lines.push_back("fewer threads than " + std::to_string(pace.most()) + " were faster for " +
                   percent(pace.time_of_fewer() / pace.time_of_all()) +
-                  " of the time: other programs had cores, or the model is small for so many");
+                  " of the time: other programs used some of the cores, or the model is small for so many");
 }
 
 }  // namespace

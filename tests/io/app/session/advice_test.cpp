@@ -53,12 +53,12 @@ TEST_CASE("advice: a run is told to end after its collapse, and to use several r
   w.c.time.step = 5e-5;
   const solver::Simulation sim(w.c, w.m, w.g, {});
   const std::string late = io::advice_lines(w.c, sim, clock_of(), 4.0);
-  CHECK(has(late, "time.after_collapse = 1 would have ended it at 5 s: 45 s of 1 min 40 s came later"));
+  CHECK(has(late, "with time.after_collapse = 1 the run would have ended at 5 s and taken 45 s less of 1 min 40 s"));
   CHECK(has(late, "time.multirate = "));
   CHECK(!has(late, "frames"));
   CHECK(!has(io::advice_lines(w.c, sim, clock_of(), -1.0), "after_collapse"));  // it never collapsed
   CHECK(!has(io::advice_lines(w.c, sim, clock_of(), 8.5), "after_collapse"));   // little came later
-  CHECK(has(io::advice_lines(w.c, sim, clock_of(0.2), -1.0), "frames and rows took 18 % of the time"));
+  CHECK(has(io::advice_lines(w.c, sim, clock_of(0.2), -1.0), "writing frames and rows of results took 18 % of the time"));
   w.c.time.after_collapse = 2.0;
   CHECK(!has(io::advice_lines(w.c, sim, clock_of(), 4.0), "after_collapse"));
   io::RunClock brief;
