@@ -63,15 +63,15 @@ cases::Case at_rate(const cases::Case& c, int multirate) {
 
 }  // namespace
 
-double shaken_step(solver::Simulation& sim) {
-  if (sim.phase() == solver::Phase::settling) sim.start_shaking();
+double shaken_step(const cases::Case& c, solver::Simulation& sim) {
+  if (sim.phase() == solver::Phase::settling && !cases::is_assessment(c.analysis)) sim.start_shaking();
   return time_a_step(sim);
 }
 
 double one_rate_step(const cases::Case& c, const cases::Model& model, const cases::GroundMotion& motion, const solver::Options& o) {
   const cases::Case other = at_rate(c, 1);
   solver::Simulation sim(other, model, motion, o);
-  return shaken_step(sim);
+  return shaken_step(other, sim);
 }
 
 RunTime run_time(const cases::Case& c, const solver::Simulation& sim, double step, double one_rate) {
@@ -90,7 +90,7 @@ std::vector<RateTime> other_rates(const cases::Case& c, const cases::Model& mode
     if (multirate == c.multirate() || other.multirate() != multirate) continue;
     try {
       solver::Simulation sim(other, model, motion, o);
-      const double step = shaken_step(sim);
+      const double step = shaken_step(other, sim);
       found.push_back({multirate, run_time(other, sim, step, multirate == 1 ? step : one_rate)});
     } catch (const cases::InputError&) {  // supports that turn have one rate
     } catch (const solver::NumericalError&) {

@@ -24,9 +24,9 @@ struct RateTime {
   RunTime time;
 };
 
-/// Wall-clock time of a step of the intact model, shaken at once [s]: what has not moved yet takes a quarter of it. Makes a few steps.
-/// \throw solver::NumericalError
-double shaken_step(solver::Simulation& sim);
+/// Wall-clock time of a step of the intact model, shaken at once [s]: what has not moved yet takes a quarter of it. An analysis by dynamics
+/// settles meanwhile, since its load is chosen only afterwards. Makes a few steps. \throw solver::NumericalError
+double shaken_step(const cases::Case& c, solver::Simulation& sim);
 
 /// The same at one rate, of a case with several. \throw solver::NumericalError
 double one_rate_step(const cases::Case& c, const cases::Model& model, const cases::GroundMotion& motion, const solver::Options& o);

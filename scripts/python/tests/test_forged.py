@@ -87,7 +87,7 @@ VALUES = [
     (put("frames/quaternion", (1, 0), [0, 0, 0, 0]), "/frames/quaternion: row 1 holds 0", "frames"),
     (put("frames/quaternion", (1, 0), [2, 0, 0, 0]), "/frames/quaternion: row 1 holds 2", "frames"),
     (put("frames/displacement", (1, 0), [np.inf, 0, 0]), "/frames/displacement: row 1 holds inf", "frames"),
-    (put("energy/time", 3, np.nan), "/energy/time: row 3 holds -?nan", "energy", ("report",)),
+    (put("energy/time", 3, np.nan), "/energy/time: row 3 holds -?nan", "energy", ("summary", "report")),
     (put("energy/strain", 3, np.inf), "/energy/strain: row 3 holds inf", "energy", ("report",)),
     (put("model/element/house", 1, 2147483647), "/model/element/house: row 1 holds 2147483647", "elements"),
     (put("model/element/material", 1, 7), "/model/element/material: row 1 holds 7; allowed: 0 to 0", "elements", ("report",)),

@@ -136,6 +136,11 @@ TEST_CASE("a step is timed while the model is shaken, also where it would settle
   w.c.gravity.settle = true;
   solver::Simulation sim(w.c, w.m, w.g, {});
   REQUIRE(sim.phase() == solver::Phase::settling);
-  CHECK(io::shaken_step(sim) > 0.0);
+  CHECK(io::shaken_step(w.c, sim) > 0.0);
   CHECK(sim.phase() == solver::Phase::shaking);
+  // An analysis by dynamics chooses its load after settling.
+  w.c.analysis.kind = cases::AnalysisKind::pushover, w.c.analysis.solver = cases::Solver::dynamics;
+  solver::Simulation slow(w.c, w.m, w.g, {});
+  CHECK(io::shaken_step(w.c, slow) > 0.0);
+  CHECK(slow.phase() == solver::Phase::settling);
 }
