@@ -111,9 +111,10 @@ SideEnergy segment_energy(const Side& side, const SideFrame& f, PointsView p, Se
 /// Data of one lane of a block for the kernels that process its segments.
 struct SideParts {
   std::int32_t id = 0;
-  double factor = 0.0, cn = 0.0, cs = 0.0;  // Eq. 11; Pa s/m
+  double factor = 0.0, cn = 0.0, cs = 0.0;  // Eq. 11; Pa s/m, for all faces of both elements in contact
   PointsView points;
   SegmentsView segments;
+  double dashpots = 1.0;  // factor on cn and cs, at least 1: of fewer faces in contact (THEORY.md (20d))
 };
 
 /// Copies of the forces that sides add to the elements' rows: 12 numbers a side, force and torque on the master, then force and torque on

@@ -122,7 +122,7 @@ struct ContactOptions {
 /// Constants of a body.
 struct BodyConstants {
   Vec3 ref;           // m, centroid in the reference configuration
-  double beta = 0.0;  // 1/s, bound on the damping rate of the body (semi-implicit dashpots)
+  double beta = 0.0;  // 1/s, bound on the damping rate of the body (semi-implicit dashpots), as its contacts are now
 };
 
 /// All data of bodies that the kernel reads.

@@ -8,6 +8,7 @@
 #include "geometry/nth.h"
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"
+#include "solver/contact/near_faces.h"
 #include "solver/contact/overlap_contact.h"
 #include "solver/contact/placed_element.h"
 #include "solver/setup/patch_order.h"
@@ -293,6 +294,7 @@ void search(World& w, double share) {
                    });
   replace_candidates(w);
   replace_overlap_pairs(w);
+  bound_dashpots_by_near_faces(w);
   ++c.searches;
 }
 

@@ -58,7 +58,7 @@ kernels::Stiffness stiffness(const World& w, std::int32_t a, std::int32_t b, con
   kernels::Stiffness k{in_line(o.stiffness_n[i], base ? 0.0 : o.stiffness_n[j]), in_line(o.stiffness_s[i], base ? 0.0 : o.stiffness_s[j])};
   const double inverse = inverse_mass(w, a, at.arm_a, at.normal) + inverse_mass(w, b, at.arm_b, at.normal);
   if (inverse == 0.0) return k;
-  const double beta = w.elements.body[i].beta + w.elements.body[ground ? i : j].beta;
+  const double beta = nth(w.dashpot_bounds.all, i) + nth(w.dashpot_bounds.all, ground ? i : j);
   const auto dashpot = [&](double stiff) {
     const double c = 2.0 * w.contact.damping * std::sqrt(stiff / inverse);
     return c / (1.0 + w.step_of(level_of(w, a, b)) * (beta + c * inverse));

@@ -11,6 +11,7 @@
 
 #include "solver/contact/contact_forces.h"
 #include "solver/contact/contact_lists.h"
+#include "solver/contact/near_faces.h"
 #include "solver/contact/overlap_contact.h"
 #include "solver/run/run.h"
 #include "solver/setup/laws/optional_laws.h"
@@ -173,6 +174,7 @@ void restore(Simulation& sim, RunState& plan, const SavedState& from) {
   w.multirate.cycle = sim.phase() == Phase::shaking ? w.multirate.wanted : 1;
   w.elements.store_velocity_rows();
   list_candidates(w);
+  bound_dashpots_by_near_faces(w);
   use_restored_overlap_pairs(w);
   list_live_blocks(w);
 }
@@ -193,7 +195,9 @@ std::uint64_t model_hash(const World& w) {
   for (const kernels::SideParts& p : w.sides.parts) {
     for (const double v : {p.factor, p.cn, p.cs}) hash.add(&v, sizeof v);
   }
-  add(e.body), add(w.sides.joint), add(w.sides.set);
+  for (std::size_t i = 0; i < e.body.size(); ++i)
+    hash.add(&e.body[i].ref, sizeof e.body[i].ref), hash.add(&w.dashpot_bounds.all[i], sizeof(double));
+  add(w.sides.joint), add(w.sides.set);
   for (const kernels::Face& f : w.faces) {
     for (const double v : {f.normal.x, f.normal.y, f.normal.z, f.distance, f.compliance_n, f.compliance_s, f.mass}) hash.add(&v, sizeof v);
   }

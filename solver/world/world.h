@@ -15,6 +15,7 @@
 #include "solver/team/team.h"
 #include "solver/world/array.h"
 #include "solver/world/contacts.h"
+#include "solver/world/dashpot_bounds.h"
 #include "solver/world/elements.h"
 #include "solver/world/loads.h"
 #include "solver/world/multirate.h"
@@ -56,6 +57,7 @@ struct World {
   Elements elements;
   std::vector<kernels::Face> faces;  // of all elements, and one for the base
   std::int32_t most_faces = 1;       // greatest number of one element
+  DashpotBounds dashpot_bounds;
   Travel travel;
 
   // Forces between bodies.

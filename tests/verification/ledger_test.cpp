@@ -42,9 +42,9 @@ TEST_CASE("V13: energy ledger of a wall knocked down by gravity and friction") {
   expect_below("V13 imbalance over input, step of Eq. 19", own, 1e-3);
   expect_below("V13 imbalance over input, 5e-5 s", middle, 1e-4);
   expect_below("V13 imbalance over input, 2.5e-5 s", fine, 1e-4);
-  expect_below("V13 imbalance at 1e-4 s over that at the step of Eq. 19", coarse / own, 0.67);
-  expect_below("V13 imbalance at 5e-5 s over that at 1e-4 s", middle / coarse, 0.67);
-  expect_below("V13 imbalance at 2.5e-5 s over that at 5e-5 s", fine / middle, 0.67);
+  // Of a wall that falls it differs by chance between neighbouring steps.
+  expect_below("V13 imbalance at 5e-5 s over that at the step of Eq. 19", middle / own, 0.45);
+  expect_below("V13 imbalance at 2.5e-5 s over that at 1e-4 s", fine / coarse, 0.45);
   write(Curve{"v13_ledger",
               "V13: imbalance of the energy ledger of a falling wall",
               "step [s]",

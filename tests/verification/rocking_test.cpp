@@ -92,7 +92,7 @@ constexpr double kStone = 100.0;
 /// longer count. The dashpots are those that the program has at its own step.
 History rock_by_hand(const Block& block, double theta0, double end, double programs_step) {
   const double plane = kStone * Adobe::plane, shear = kStone * Adobe::shear, rho = Adobe::density, b = block.b, h = block.h;
-  const double beta = box_damping_rate({2 * b, 2 * b, 2 * h}, 2 * b / block.points, plane, shear, rho, 1.0);
+  const double beta = face_damping_bound({2 * b, 2 * b, 2 * h}, plane, shear, rho, 1.0);
   const ContactByHand law = ContactByHand::on_base(plane, shear, rho, h, 1.0, 2.0 * programs_step * beta, std::tan(radians(60.0)));
   std::vector<PointByHand> points(static_cast<std::size_t>(block.points), PointByHand(law));
   const double mass = rho * 8.0 * b * b * h, inertia = mass * (b * b + h * h) / 3.0, area = 4.0 * b * b / block.points, dt = 1e-6;

@@ -48,8 +48,8 @@ Trace follow(cases::Case c, double gap) {
 /// uniform traction acts half way between the two centres. The lower brick is fixed, so the upper one's β alone counts.
 Trace by_hand(double step) {
   const Vec3 centre{0.1, 0.05, 0.1};  // m, of the faces
-  const double area = 0.02, l = 0.05, cell = 0.025;
-  const double beta = box_damping_rate({0.2, 0.1, 0.1}, cell, Adobe::plane, Adobe::shear, Adobe::density, 1.0);
+  const double area = 0.02, l = 0.05;
+  const double beta = face_damping_bound({0.2, 0.1, 0.1}, Adobe::plane, Adobe::shear, Adobe::density, 1.0);
   PointByHand point(ContactByHand::between_likes(Adobe::plane, Adobe::shear, Adobe::density, l, 1.0, step * beta, std::tan(radians(32.0))));
   const int steps = 6000;
   Trace trace;

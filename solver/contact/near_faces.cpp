@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Voussoir authors
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/contact/near_faces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/nth.h"
+
+namespace voussoir::solver {
+
+namespace {
+
+constexpr std::int64_t kAtATime = 512;  // patches, elements or sides that a thread takes
+
+/// Whether a face of the element to which the patch is not turned keeps it outside, but for a rim narrower than the skin: no point of the
+/// patch, or one row of them, can touch. Both as they stood when they were searched last.
+bool only_rim_is_near(const World& w, const kernels::Patch& p, std::int32_t other) {
+  const Travel::Pose a = w.travel.searched_pose(p.element), b = w.travel.searched_pose(other);
+  const Mat3 turn = transposed(b.r) * a.r;
+  const Vec3 apart = (nth(w.elements.body, p.element).ref - nth(w.elements.body, other).ref) + (a.u - b.u);
+  const Vec3 middle = p.centre + 0.5 * (p.s_low + p.s_high) * p.es + 0.5 * (p.t_low + p.t_high) * p.et;
+  const Vec3 centre = transposed(b.r) * apart + turn * middle, normal = turn * nth(w.faces, p.face).normal;
+  const Vec3 es = 0.5 * (p.s_high - p.s_low) * (turn * p.es), et = 0.5 * (p.t_high - p.t_low) * (turn * p.et);
+  const std::int32_t first = nth(w.elements.first_face, other), last = first + nth(w.elements.face_count, other);
+  for (std::int32_t f = first; f < last; ++f) {
+    const kernels::Face& face = nth(w.faces, f);
+    if (dot(face.normal, normal) < kernels::kOpposing) continue;  // its own points see that face
+    const double reach = std::abs(dot(face.normal, es)) + std::abs(dot(face.normal, et));
+    if (dot(face.normal, centre) - face.distance - reach > -w.travel.skin()) return true;
+  }
+  return false;
+}
+
+/// Whether an active patch can push something with more than its rim. \param a  index into Contacts::active
+bool pushes(const World& w, std::size_t a) {
+  const Contacts& c = w.contacts;
+  if (static_cast<std::int64_t>(a) >= c.searched) return true;  // of a side that was there at the last search
+  const kernels::Patch& p = nth(w.patches.patch, c.active[a]);
+  for (std::int64_t slot = c.first_slot[a]; slot < c.first_slot[a + 1]; ++slot) {
+    if (!only_rim_is_near(w, p, nth(c.element, slot))) return true;
+  }
+  return false;
+}
+
+/// By index into World::faces, 1: the face has something near.
+std::vector<std::uint8_t> near_faces(World& w) {
+  const Sides& s = w.sides;
+  const Contacts& c = w.contacts;
+  std::vector<std::uint8_t> pushing(c.active.size()), near(w.faces.size());
+  w.team.share_out(static_cast<std::int64_t>(c.active.size()), kAtATime, [&](std::int64_t first, std::int64_t last) {
+    for (auto a = static_cast<std::size_t>(first); a < static_cast<std::size_t>(last); ++a) pushing[a] = pushes(w, a) ? 1 : 0;
+  });
+  for (std::size_t a = 0; a < c.active.size(); ++a) {
+    if (pushing[a] != 0) nth(near, nth(w.patches.patch, c.active[a]).face) = 1;
+  }
+  for (std::size_t id = 0; id < s.joint.size(); ++id) {
+    if (s.joint[id] >= 0 && s.retired[id] == 0) nth(near, s.master_face[id]) = nth(near, s.slave_face[id]) = 1;
+  }
+  return near;
+}
+
+/// \post at most DashpotBounds::all, and no less where most faces have something near
+double bound_of(const World& w, std::size_t e, const std::vector<std::uint8_t>& near) {
+  double sum = 0.0;
+  for (std::int32_t f = w.elements.first_face[e]; f < w.elements.first_face[e] + w.elements.face_count[e]; ++f) {
+    if (nth(near, f) != 0) sum += static_cast<double>(nth(w.dashpot_bounds.face, f));
+  }
+  return std::min(sum, w.dashpot_bounds.all[e]);
+}
+
+/// Dashpots of a side over those for all faces in contact.
+double excess(const World& w, std::size_t id) {
+  const auto block = id / kernels::kLanes, lane = id % kernels::kLanes;
+  const std::int32_t a = w.sides.blocks[block].master[lane], b = w.sides.blocks[block].slave[lane];
+  const std::int32_t other = nth(w.faces, w.sides.slave_face[id]).is_ground() ? a : b;
+  const double step = w.step_of(w.multirate.joint_level_in_cycles(a, b));
+  const double now = nth(w.elements.body, a).beta + nth(w.elements.body, other).beta;
+  return (1.0 + step * (nth(w.dashpot_bounds.all, a) + nth(w.dashpot_bounds.all, other))) / (1.0 + step * now);
+}
+
+}  // namespace
+
+void bound_dashpots_by_near_faces(World& w) {
+  const std::vector<std::uint8_t> near = near_faces(w);
+  w.team.share_out(w.elements.count, kAtATime, [&](std::int64_t first, std::int64_t last) {
+    for (auto e = static_cast<std::size_t>(first); e < static_cast<std::size_t>(last); ++e) w.elements.body[e].beta = bound_of(w, e, near);
+  });
+  w.team.share_out(w.sides.count(), kAtATime, [&](std::int64_t first, std::int64_t last) {
+    for (auto id = static_cast<std::size_t>(first); id < static_cast<std::size_t>(last); ++id) {
+      if (w.sides.joint[id] >= 0 && w.sides.retired[id] == 0) w.sides.parts[id].dashpots = excess(w, id);
+    }
+  });
+}
+
+}  // namespace voussoir::solver
