@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kSudden = 2.0;    // times as far as it has come in the step: a body was there before
 constexpr double kNothing = 1e-6;  // m
+constexpr double kOneAxis = 0.99;  // cosine: two axes of an overlap count as one
 // Of 4, the most that the scheme bears of Δt² k + 2 Δt c over the mass: what all overlaps of an element may take together. Its joints and
 // the points of its faces need the rest.
 constexpr double kOfStep = 1.0;
@@ -191,43 +192,65 @@ double parting(const kernels::Overlap& at, const Motion& m) {
   return dot((m.b.v + cross(m.b.w, at.arm_b)) - (m.a.v + cross(m.a.w, at.arm_a)), at.normal);
 }
 
-/// Where corners of a body or axes take turns, the force acts where the two bodies meet now, or where they will meet at the end of the step
-/// ahead: the one of both where it takes more energy out of the motion (THEORY.md (21b)). The depth is the present one.
-kernels::Overlap where_it_acts(const World& w, const OverlapPair& p, const kernels::Overlap& now) {
-  const double step = w.step_of(level_of(w, p.a, p.b));
-  const Motion m = motion_of(w, p.a, p.b);
-  const double* rows = w.elements.pose.data();
-  const kernels::Overlap then = overlap_of(w, p.a, p.b, moved_on(kernels::load_pose(rows, p.a), m.a, step),
-                                           moved_on(kernels::load_pose(rows, p.b), m.b, step), allowed_overlap(w, p.a, p.b));
-  if (then.depth <= allowed_overlap(w, p.a, p.b) || !jumps(now, then, m, step)) return now;
-  const kernels::Overlap ahead{now.depth, then.normal, then.arm_a, now.arm_b + (then.arm_a - now.arm_a)};
-  return parting(ahead, m) < parting(now, m) ? ahead : now;
+/// The motion after a step in which a force [N] at the overlap pushes the two apart.
+Motion pushed_apart(const World& w, const OverlapPair& p, const kernels::Overlap& at, Motion m, double force) {
+  const double impulse = w.step_of(level_of(w, p.a, p.b)) * force;
+  const auto push = [&](std::int32_t e, Vec3 arm, Vec3 along, kernels::Twist& t) {
+    if (w.is_ground(e)) return;
+    const Mat3 r = Mat3{} + kernels::load_pose(w.elements.pose.data(), e).d;
+    const auto i = static_cast<std::size_t>(e);
+    t.v += w.elements.inert_inv_mass()[i] * along;
+    t.w += r * (w.elements.inv_inertia(i) * (transposed(r) * cross(arm, along)));
+  };
+  push(p.a, at.arm_a, -impulse * at.normal, m.a);
+  push(p.b, at.arm_b, impulse * at.normal, m.b);
+  return m;
 }
 
-/// With contact.restitution: presses the spring in, or lets it come out again, and takes the normal dashpot away but where the bodies close
-/// and have been deeper. \param over  m, overlap beyond the allowed one \param vn  m/s, at which the bodies part
-void press(const World& w, double over, double vn, OverlapSpring& s, kernels::Stiffness& k) {
-  const double e = w.contact.restitution;
-  if (e == 0.0) return;
-  if (!(vn < 0.0 && kernels::was_deeper(over, s.from, e))) k.cn = 0.0;
-  s.from = kernels::pressed_at(over, s.from, e);
+/// Between two places of an overlap, by the share of the second.
+kernels::Overlap between(const kernels::Overlap& first, const kernels::Overlap& second, double share) {
+  const auto mix = [share](Vec3 a, Vec3 b) { return a + share * (b - a); };
+  return {first.depth, normalised(mix(first.normal, second.normal)), mix(first.arm_a, second.arm_a), mix(first.arm_b, second.arm_b)};
+}
+
+/// Where corners of a body or axes take turns in the step ahead, the force acts between the place where the two bodies meet now and the one
+/// where they would meet then, so that both are as deep then; where the axis turns by much, at the one of both where it takes more energy
+/// out of the motion (THEORY.md (21b)). The depth is the present one. \param force  N, of the overlap in this step
+kernels::Overlap where_it_acts(const World& w, const OverlapPair& p, const kernels::Overlap& now, double force) {
+  const double step = w.step_of(level_of(w, p.a, p.b)), allowed = allowed_overlap(w, p.a, p.b);
+  const Motion m = motion_of(w, p.a, p.b), after = pushed_apart(w, p, now, m, force);
+  const double* rows = w.elements.pose.data();
+  const kernels::Overlap then = overlap_of(w, p.a, p.b, moved_on(kernels::load_pose(rows, p.a), after.a, step),
+                                           moved_on(kernels::load_pose(rows, p.b), after.b, step), allowed);
+  if (then.depth <= allowed || !jumps(now, then, after, step)) return now;
+  const kernels::Overlap ahead{now.depth, then.normal, then.arm_a, now.arm_b + (then.arm_a - now.arm_a)};
+  if (dot(now.normal, then.normal) < kOneAxis) return parting(ahead, m) < parting(now, m) ? ahead : now;
+  // By how much the second place is deeper than the first at the end of the step, with the force at the first, and at the second.
+  const Motion other = pushed_apart(w, p, ahead, m, force);
+  const double at_first = then.depth - (now.depth - step * parting(now, after));
+  const double at_second = at_first - step * (parting(ahead, other) - parting(ahead, after) - parting(now, other) + parting(now, after));
+  if (at_first <= 0.0) return now;
+  return at_second >= 0.0 ? ahead : between(now, ahead, at_first / (at_first - at_second));
 }
 
 /// One step of a spring. \param last  as it was a step before; a new one has no force yet
-OverlapSpring advance_spring(World& w, const OverlapSpring& last, bool goes_on, const kernels::Overlap& at, double share) {
+OverlapSpring advance_spring(World& w, const OverlapSpring& last, bool goes_on, const kernels::Overlap& found, double share) {
   OverlapSpring s;
   s.a = last.a, s.b = last.b;
   s.share = std::min(last.share, share);
   const double step = w.step_of(level_of(w, s.a, s.b));
+  const Motion m = motion_of(w, s.a, s.b);
+  const double over = found.depth - allowed_overlap(w, s.a, s.b), restitution = w.contact.restitution;
+  const double from = goes_on ? std::min(last.from, over) : there_before(over, step * parting(found, m));
+  s.from = restitution > 0.0 ? kernels::pressed_at(over, from, restitution) : from;
+  const double xn = s.from - over;
+  const kernels::Overlap at = where_it_acts(w, {s.a, s.b}, found, -s.share * stiffness(w, s.a, s.b, found).kn * xn);
   kernels::Stiffness k = stiffness(w, s.a, s.b, at);
   if (s.share < 1.0) k = {s.share * k.kn, s.share * k.ks, s.share * k.cn, s.share * k.cs};
-  const Motion m = motion_of(w, s.a, s.b);
   const Vec3 rate = (m.b.v + cross(m.b.w, at.arm_b)) - (m.a.v + cross(m.a.w, at.arm_a));
   const Mat3 turn = Mat3{} + kernels::load_pose(w.elements.pose.data(), s.a).d;
-  const double over = at.depth - allowed_overlap(w, s.a, s.b);
-  s.from = goes_on ? std::min(last.from, over) : there_before(over, step * dot(rate, at.normal));
-  press(w, over, dot(rate, at.normal), s, k);
-  const double xn = s.from - over;
+  // An impact that gives back a given share has a normal dashpot only where the bodies close and have been deeper.
+  if (restitution > 0.0 && !(dot(rate, at.normal) < 0.0 && kernels::was_deeper(over, from, restitution))) k.cn = 0.0;
   const kernels::ContactStep c =
       kernels::advance_contact(xn, at.normal, rate, turn * last.shear, k, friction(w, s.a, s.b), step, w.contact.dashpot_excess);
   s.shear = transposed(turn) * c.spring;
@@ -298,7 +321,6 @@ void apply_overlaps(World& w, int due, std::vector<OverlapFound>& found) {
   // Here, where joints have been advanced: another thread may still do so while pairs are found.
   std::erase_if(found, [&](const OverlapFound& f) { return joint_bears(w, w.overlaps.pairs[f.pair]); });
   std::ranges::sort(found, {}, &OverlapFound::pair);
-  for (OverlapFound& f : found) f.at = where_it_acts(w, w.overlaps.pairs[f.pair], f.at);
   const LoadsOnStep loads(w, found);
   std::vector<OverlapSpring> now;
   now.reserve(found.size());
