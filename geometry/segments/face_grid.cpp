@@ -14,6 +14,8 @@ namespace voussoir::geometry {
 namespace {
 
 constexpr double kEqualAreas = 1e-9;  // relative: pieces that differ by less are as large
+// Of an edge, and of a cell: differences that are no more than the raster of a micrometre on which walls are laid out.
+constexpr double kLaidOut = 2e-4;
 
 /// Grid line before column (or row) i of n, on the raster of the corners, so that an edge on a line is on it exactly. The outermost cells
 /// are unbounded, so parts that stick out by round-off are not lost.
@@ -45,13 +47,14 @@ CellCounts count_cells(const Rectangle& box, double size, int subject, int face)
                    subject);
 }
 
-/// The first of the longest edges. Lengths within 1e-9 count as equal: opposite edges differ by round-off, which must not turn the grid.
+/// The first of the longest edges. Lengths within kLaidOut count as equal: opposite edges differ by round-off or by
+/// the raster, which must not turn the grid.
 Vec3 longest_edge(const std::vector<Vec3>& corners) {
   double longest = 0.0;
   const auto edge = [&](std::size_t i) { return corners[(i + 1) % corners.size()] - corners[i]; };
   for (std::size_t i = 0; i < corners.size(); ++i) longest = std::max(longest, norm(edge(i)));
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    if (norm(edge(i)) >= (1.0 - 1e-9) * longest) return edge(i);
+    if (norm(edge(i)) >= (1.0 - kLaidOut) * longest) return edge(i);
   }
   return edge(0);
 }
@@ -73,7 +76,7 @@ Piece whole_cell(const FaceGrid& g, std::int32_t i, std::int32_t j) {
 
 double snapped(double value, double quantum) noexcept { return std::nearbyint(value / quantum) * quantum; }
 
-double cells_along(double extent, double size) noexcept { return std::max(1.0, std::floor(extent / size + 0.5 + 1e-9)); }
+double cells_along(double extent, double size) noexcept { return std::max(1.0, std::floor(extent / size + 0.5 + kLaidOut)); }
 
 FaceGrid make_face_grid(const Polyhedron& p, int face, double segment_size, int subject) {
   const auto& loop = nth(p.faces, face);

@@ -28,8 +28,8 @@ struct FaceGrid {
 /// Rounds to a multiple of `quantum`, a power of two.
 double snapped(double value, double quantum) noexcept;
 
-/// Number of cells n = max(1, the whole number nearest to extent / size, halves up within 1e-9), so that round-off does not give one of two
-/// equal faces one cell more.
+/// Number of cells n = max(1, the whole number nearest to extent / size, halves up within 2e-4), so that neither round-off nor the raster
+/// of a micrometre, on which walls are laid out, gives one of two equal faces one cell more.
 double cells_along(double extent, double size) noexcept;
 
 /// The grid of a face, with cells of about segment_size [m]. \pre p is valid, segment_size > 0. \throw ModelError if the face would have

@@ -110,6 +110,19 @@ TEST_SUITE("face_grid") {
     CHECK(here.rows == there.rows);
   }
 
+  TEST_CASE("the raster of a micrometre gives no face another number of cells, and turns no grid") {
+    const FaceGrid drawn = make_face_grid(make_box({0, 0, 0}, {0.1, 0.1, 0.3}), 5, 0.04);
+    for (const double x : {0.099999, 0.1, 0.100001}) {
+      for (const double y : {0.099999, 0.1, 0.100001}) {
+        const FaceGrid laid = make_face_grid(make_box({0, 0, 0}, {x, y, 0.3}), 5, 0.04);
+        CHECK(laid.columns == 3);
+        CHECK(laid.rows == 3);
+        CHECK(norm(laid.axis_s - drawn.axis_s) < 1e-12);
+      }
+    }
+    CHECK(make_face_grid(make_box({0, 0, 0}, {0.09, 0.09, 0.3}), 5, 0.04).columns == 2);
+  }
+
   TEST_CASE("the whole face is cut into whole, equal cells, row by row") {
     const FaceGrid g = make_face_grid(make_box({0, 0, 0}, {0.2, 0.1, 0.06}), 5, 0.025);
     const std::vector<Piece> pieces = cut(g, g.polygon);
