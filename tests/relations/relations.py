@@ -299,7 +299,8 @@ def scaled(rng, case):
             b.motion = b.motion * numpy.array([root, factor, factor, factor, 1.0, 1.0, 1.0])
     absolute = ("summary: settled", "settled", "summary: touching", "summary: deep", "summary: debris", "acceleration ")  # the last: below 50 Hz
     if case.plan:
-        absolute += ("joint area", "element inertia")  # bricks end on whole nanometres, whatever the scale
+        absolute += ("joint area", "element mass", "element inertia")  # bricks end on whole nanometres, whatever the scale
+        absolute += ("summary: damage_grade", "damage_grade")  # by widths of cracks in millimetres
         absolute += DRIFTS_OF_PIECES + plans.sides(case)
     return out, Change(scale=factor, detail=f"by {factor}", commands=commands, leave_out=absolute)
 
