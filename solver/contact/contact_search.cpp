@@ -294,7 +294,7 @@ void search(World& w, double share) {
                    });
   replace_candidates(w);
   replace_overlap_pairs(w);
-  bound_dashpots_by_near_faces(w);
+  bound_dashpots_by_near_faces(w, &room.changed);
   ++c.searches;
 }
 

@@ -45,16 +45,24 @@ bool pushes(const World& w, std::size_t a) {
   return false;
 }
 
-/// By index into World::faces, 1: the face has something near.
-std::vector<std::uint8_t> near_faces(World& w) {
-  const Sides& s = w.sides;
-  const Contacts& c = w.contacts;
-  std::vector<std::uint8_t> pushing(c.active.size()), near(w.faces.size());
+/// Brings Contacts::pushes up to date for the patches whose candidates have changed, or whose poses at the last search.
+void renew_pushes(World& w, const std::vector<std::uint8_t>* changed) {
+  Contacts& c = w.contacts;
+  c.pushes.resize(w.patches.patch.size());
   w.team.share_out(static_cast<std::int64_t>(c.active.size()), kAtATime, [&](std::int64_t first, std::int64_t last) {
-    for (auto a = static_cast<std::size_t>(first); a < static_cast<std::size_t>(last); ++a) pushing[a] = pushes(w, a) ? 1 : 0;
+    for (auto a = static_cast<std::size_t>(first); a < static_cast<std::size_t>(last); ++a) {
+      const std::int32_t p = c.active[a];
+      if (changed == nullptr || nth(*changed, p) != 0) nth(c.pushes, p) = pushes(w, a) ? 1 : 0;
+    }
   });
-  for (std::size_t a = 0; a < c.active.size(); ++a) {
-    if (pushing[a] != 0) nth(near, nth(w.patches.patch, c.active[a]).face) = 1;
+}
+
+/// By index into World::faces, 1: the face has something near.
+std::vector<std::uint8_t> near_faces(const World& w) {
+  const Sides& s = w.sides;
+  std::vector<std::uint8_t> near(w.faces.size());
+  for (const std::int32_t p : w.contacts.active) {
+    if (nth(w.contacts.pushes, p) != 0) nth(near, nth(w.patches.patch, p).face) = 1;
   }
   for (std::size_t id = 0; id < s.joint.size(); ++id) {
     if (s.joint[id] >= 0 && s.retired[id] == 0) nth(near, s.master_face[id]) = nth(near, s.slave_face[id]) = 1;
@@ -72,27 +80,40 @@ double bound_of(const World& w, std::size_t e, const std::vector<std::uint8_t>& 
 }
 
 /// Dashpots of a side over those for all faces in contact.
-double excess(const World& w, std::size_t id) {
-  const auto block = id / kernels::kLanes, lane = id % kernels::kLanes;
-  const std::int32_t a = w.sides.blocks[block].master[lane], b = w.sides.blocks[block].slave[lane];
+double excess(const World& w, std::size_t id, std::int32_t a, std::int32_t b) {
   const std::int32_t other = nth(w.faces, w.sides.slave_face[id]).is_ground() ? a : b;
   const double step = w.step_of(w.multirate.joint_level_in_cycles(a, b));
   const double now = nth(w.elements.body, a).beta + nth(w.elements.body, other).beta;
   return (1.0 + step * (nth(w.dashpot_bounds.all, a) + nth(w.dashpot_bounds.all, other))) / (1.0 + step * now);
 }
 
-}  // namespace
-
-void bound_dashpots_by_near_faces(World& w) {
-  const std::vector<std::uint8_t> near = near_faces(w);
-  w.team.share_out(w.elements.count, kAtATime, [&](std::int64_t first, std::int64_t last) {
-    for (auto e = static_cast<std::size_t>(first); e < static_cast<std::size_t>(last); ++e) w.elements.body[e].beta = bound_of(w, e, near);
-  });
-  w.team.share_out(w.sides.count(), kAtATime, [&](std::int64_t first, std::int64_t last) {
+/// \param renewed  by element, 1: its bound is another than before
+void renew_sides(World& w, const std::vector<std::uint8_t>& renewed) {
+  Sides& s = w.sides;
+  w.team.share_out(s.count(), kAtATime, [&](std::int64_t first, std::int64_t last) {
     for (auto id = static_cast<std::size_t>(first); id < static_cast<std::size_t>(last); ++id) {
-      if (w.sides.joint[id] >= 0 && w.sides.retired[id] == 0) w.sides.parts[id].dashpots = excess(w, id);
+      const std::int32_t a = s.blocks[id / kernels::kLanes].master[id % kernels::kLanes];
+      const std::int32_t b = s.blocks[id / kernels::kLanes].slave[id % kernels::kLanes];
+      if (s.joint[id] < 0 || s.retired[id] != 0 || (nth(renewed, a) == 0 && nth(renewed, b) == 0)) continue;
+      s.parts[id].dashpots = excess(w, id, a, b);
     }
   });
+}
+
+}  // namespace
+
+void bound_dashpots_by_near_faces(World& w, const std::vector<std::uint8_t>* changed) {
+  renew_pushes(w, changed);
+  const std::vector<std::uint8_t> near = near_faces(w);
+  std::vector<std::uint8_t> renewed(w.elements.body.size());
+  w.team.share_out(w.elements.count, kAtATime, [&](std::int64_t first, std::int64_t last) {
+    for (auto e = static_cast<std::size_t>(first); e < static_cast<std::size_t>(last); ++e) {
+      const double bound = bound_of(w, e, near);
+      renewed[e] = bound != w.elements.body[e].beta ? 1 : 0;
+      w.elements.body[e].beta = bound;
+    }
+  });
+  renew_sides(w, renewed);
 }
 
 }  // namespace voussoir::solver

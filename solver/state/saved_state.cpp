@@ -174,7 +174,7 @@ void restore(Simulation& sim, RunState& plan, const SavedState& from) {
   w.multirate.cycle = sim.phase() == Phase::shaking ? w.multirate.wanted : 1;
   w.elements.store_velocity_rows();
   list_candidates(w);
-  bound_dashpots_by_near_faces(w);
+  bound_dashpots_by_near_faces(w, nullptr);
   use_restored_overlap_pairs(w);
   list_live_blocks(w);
 }

@@ -23,6 +23,7 @@ struct Contacts {
   std::vector<std::int32_t> active;      // patches with candidates
   std::vector<std::int64_t> first_slot;  // by active patch, count + 1 entries
   std::vector<std::int32_t> master;      // by active patch: its element (derived)
+  std::vector<std::uint8_t> pushes;      // by patch, if it is active: it can push something with more than its rim (derived)
   Array<std::int32_t> element;           // by slot: element that may be touched (state)
   Array<kernels::Candidate> candidate;   // by slot: the element, and cached knowledge of the pair (derived)
   Array<kernels::PairWrench> wrench;
