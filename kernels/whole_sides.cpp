@@ -24,6 +24,7 @@ constexpr double kPoints = 2e-12;  // m, precision of points of sides: a smaller
 struct Principal {
   Vec3 es, et;
   double reach_s, reach_t, sss, stt;
+  bool turned;  // they are not the tangents of the side
 };
 
 Principal principal_of(const SideConstants& c, int l) noexcept {
@@ -35,7 +36,7 @@ Principal principal_of(const SideConstants& c, int l) noexcept {
     const double tangent = std::copysign(1.0, theta) / (std::abs(theta) + std::sqrt(1.0 + theta * theta));
     cosine = 1.0 / std::sqrt(1.0 + tangent * tangent), sine = -tangent * cosine;
   }
-  Principal p{cosine * vec(c.es) + sine * vec(c.et), cosine * vec(c.et) - sine * vec(c.es), 0.0, 0.0, 0.0, 0.0};
+  Principal p{cosine * vec(c.es) + sine * vec(c.et), cosine * vec(c.et) - sine * vec(c.es), 0.0, 0.0, 0.0, 0.0, sine != 0.0};
   for (const double s : {c.s_low[l], c.s_high[l]}) {
     for (const double t : {c.t_low[l], c.t_high[l]}) {
       p.reach_s = std::max(p.reach_s, std::abs(cosine * s + sine * t));
@@ -80,6 +81,8 @@ void set_lane(const SideConstants& c, int l, bool on_base, const Principal& p, W
   w.twist[l] = c.twist[l];
   w.mean[l] = c.mean[l], w.normal_turns[l] = on_base ? 0.0 : 1.0;
   set_limits(c, l, w);
+  // (11a) is the same for all tangents of a mean frame alone.
+  if (c.twist[l] != 0.0 && c.mean[l] != 0.5 && p.turned) w.slide2[l] = -1.0;
 }
 
 /// Permutes a lane into the axes of the kernel: its normal lies along `axis`, its tangents along the next two axes.
