@@ -10,14 +10,18 @@
 #include <span>
 
 #include "geometry/nth.h"
+#include "geometry/polygon.h"
 
 namespace voussoir::geometry {
 
 namespace {
 
 constexpr double kBeside = 0.02;     // of the shorter edge: how far beside an edge, and before the joint's plane, something is looked for
-constexpr double kRectangle = 1e-6;  // relative difference of areas up to which an overlap is a rectangle
+constexpr double kRectangle = 1e-6;  // relative difference of areas, and of lengths, up to which an overlap is a rectangle
 constexpr double kFacing = 0.999;    // cosine from which a face is the joint's own
+// Of an edge: where something is looked for beside it. At no share at which blocks usually end, since round-off would decide there.
+constexpr double kPlaces[] = {0.13, 0.39, 0.61, 0.87};
+constexpr int kHeld = 3;  // places from which an edge is not free
 
 /// The elements that each element has a joint with.
 std::vector<std::vector<std::int32_t>> neighbours_of(const Assembly& a) {
@@ -39,34 +43,65 @@ bool is_inside(const Assembly& a, std::int32_t element, Vec3 x) {
   return std::ranges::all_of(faces_of(a, element), [&](const Face& f) { return dot(f.normal, x) < f.offset; });
 }
 
-/// How far one can go from a point of the joint in its plane until an element ends [m].
-double way_out(const Assembly& a, std::int32_t element, const Frame& frame, Vec3 direction) {
-  double way = std::numeric_limits<double>::infinity();
-  for (const Face& f : faces_of(a, element)) {
-    const double along = dot(f.normal, direction);
-    if (std::abs(dot(f.normal, frame.normal)) > kFacing || along <= 1e-9) continue;
-    way = std::min(way, (f.offset - dot(f.normal, frame.centre)) / along);
+/// Half-plane in the plane of a joint, seen from the joint's centre: normal · (s, t) <= offset.
+struct HalfPlane {
+  Point2 normal;
+  double offset;  // m
+};
+
+/// The half-planes whose common part is the overlap of a joint.
+std::vector<HalfPlane> sides_of(const Assembly& a, const Joint& j) {
+  std::vector<HalfPlane> all;
+  for (const std::int32_t element : {j.element_a, j.element_b}) {
+    if (element == kBase) continue;
+    for (const Face& f : faces_of(a, element)) {
+      if (std::abs(dot(f.normal, j.frame.normal)) > kFacing) continue;
+      all.push_back({{dot(f.normal, j.frame.axis_s), dot(f.normal, j.frame.axis_t)}, f.offset - dot(f.normal, j.frame.centre)});
+    }
   }
-  return way;
+  return all;
 }
 
-/// The rectangle along the axes of a joint that its overlap would fill, seen from the joint's centre [m].
+/// A rectangle along the axes of a joint, seen from the joint's centre [m].
 struct Extent {
   double low[2], high[2];  // along s, t
   [[nodiscard]] double edge(int axis) const { return high[axis] - low[axis]; }
 };
 
-Extent extent_of(const Assembly& a, const Joint& j) {
+/// From the centre along the axes until the overlap ends: the overlap, if it is a rectangle along them.
+Extent cross_of(const std::vector<HalfPlane>& sides) {
   Extent e{};
   for (int axis = 0; axis < 2; ++axis) {
-    const Vec3 to = axis == 0 ? j.frame.axis_s : j.frame.axis_t;
-    const auto way = [&](Vec3 direction) {
-      const double own = way_out(a, j.element_a, j.frame, direction);
-      return j.element_b == kBase ? own : std::min(own, way_out(a, j.element_b, j.frame, direction));
+    const auto way = [&](double sign) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const HalfPlane& h : sides) {
+        const double along = sign * (axis == 0 ? h.normal.s : h.normal.t);
+        if (along > 1e-9) least = std::min(least, h.offset / along);
+      }
+      return least;
     };
-    e.low[axis] = -way(-1.0 * to), e.high[axis] = way(to);
+    e.low[axis] = -way(-1.0), e.high[axis] = way(1.0);
   }
   return e;
+}
+
+bool is_rectangle(const std::vector<HalfPlane>& sides, const Extent& e, double area) {
+  if (!(std::abs(e.edge(0) * e.edge(1) - area) <= kRectangle * area)) return false;
+  const double allowed = kRectangle * std::max(e.edge(0), e.edge(1));
+  return std::ranges::all_of(sides, [&](const HalfPlane& h) {
+    return std::max(h.normal.s * e.low[0], h.normal.s * e.high[0]) + std::max(h.normal.t * e.low[1], h.normal.t * e.high[1]) <=
+           h.offset + allowed;
+  });
+}
+
+/// The rectangle round an overlap. \param cross  cross_of(sides) \param area  m2, of the overlap
+Extent round_of(const std::vector<HalfPlane>& sides, const Extent& cross, double area) {
+  const double far = 2.0 * area / std::min(cross.edge(0), cross.edge(1));  // a convex outline reaches no farther than that
+  Polygon overlap = to_polygon({{-far, -far}, {far, far}}), scratch;
+  for (const HalfPlane& h : sides) clip(overlap, h.normal, h.offset, scratch);
+  if (overlap.empty()) return cross;  // a sliver as wide as the tolerance of joints
+  const Rectangle r = bounds(overlap);
+  return {{r.low.s, r.low.t}, {r.high.s, r.high.t}};
 }
 
 /// Whether material goes on beyond a place at an edge of the joint.
@@ -97,11 +132,11 @@ int free_ends(const Joint& j, const Extent& e, int axis, const Beyond& beyond) {
   int free = 0;
   for (const double end : {e.low[axis] - step, e.high[axis] + step}) {
     int held = 0;
-    for (const double share : {1.0 / 6.0, 0.5, 5.0 / 6.0}) {
+    for (const double share : kPlaces) {
       const double at = e.low[1 - axis] + share * e.edge(1 - axis);
       held += beyond.solid(j.frame.centre + end * along + at * across, step) ? 1 : 0;
     }
-    free += held < 2 ? 1 : 0;
+    free += held < kHeld ? 1 : 0;
   }
   return free;
 }
@@ -142,10 +177,11 @@ std::vector<JointTorsion> joint_torsion(const Assembly& a) {
   std::vector<JointTorsion> all;
   all.reserve(a.joints.size());
   for (const Joint& j : a.joints) {
-    const Extent e = extent_of(a, j);
+    const std::vector<HalfPlane> sides = sides_of(a, j);
+    const Extent cross = cross_of(sides);
     const Beyond beyond(a, j, near);
-    const bool rectangle = std::abs(e.edge(0) * e.edge(1) - j.area) <= kRectangle * j.area;
-    all.push_back(rectangle ? torsion_of_rectangle(j, e, beyond) : torsion_of_any(j, e, beyond));
+    all.push_back(is_rectangle(sides, cross, j.area) ? torsion_of_rectangle(j, cross, beyond)
+                                                     : torsion_of_any(j, round_of(sides, cross, j.area), beyond));
   }
   return all;
 }

@@ -22,7 +22,7 @@ struct JointTorsion {
 /// By joint. An overlap that is a rectangle along the joint's axes has J of a bar where all its edges are free, and of a plate where both
 /// of one pair are free and material goes on beyond the others; where it goes on beyond edges of both pairs, J = I_p. Any other overlap has
 /// A⁴/(40 I_p), Saint-Venant's substitute, but no more than I_p, if all four edges of the rectangle round it are free, else I_p. An edge is
-/// free if at two of three places nothing lies beyond it on one of the two sides of the joint.
+/// free if at two of four places nothing lies beyond it on one of the two sides of the joint.
 std::vector<JointTorsion> joint_torsion(const Assembly& a);
 
 }  // namespace voussoir::geometry

@@ -4,10 +4,13 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
+
+#include "geometry/polygon.h"
 
 using namespace voussoir;
 
@@ -68,4 +71,36 @@ TEST_CASE("torsion of joints: a triangle has Saint-Venant's substitute") {
   REQUIRE(j.size() == 1);
   CHECK(j[0].solid == doctest::Approx(std::pow(0.02, 4) / (40.0 * j[0].polar)).epsilon(1e-9));
   CHECK(j[0].solid < j[0].polar);
+}
+
+TEST_CASE("torsion of joints: columns of any section that nothing touches have Saint-Venant's substitute") {
+  const std::vector<std::vector<std::array<double, 2>>> sections{
+      {{0.002, 0.445},
+       {0.789, 0.094},
+       {0.433, 0.762},
+       {0.028, 0.836}},                                   // some of it lies beside the lines along the axes through its centre
+      {{0.0, 0.0}, {0.3, 0.0}, {0.4, 0.2}, {0.1, 0.2}}};  // as long and as high along these lines as a rectangle of its area
+  for (const auto& section : sections) {
+    const geometry::Polyhedron prism = geometry::make_prism(section, 0.0, 0.1);
+    const auto j = torsion_of({prism, geometry::moved(prism, {0.1, 0.0, 0.0})}, std::nullopt);
+    REQUIRE(j.size() == 1);
+    geometry::Polygon outline;
+    for (const auto& [y, z] : section) outline.push_back({y, z});
+    CHECK(j[0].solid == doctest::Approx(std::pow(geometry::region(outline).area, 4) / (40.0 * j[0].polar)).epsilon(1e-9));
+    CHECK(j[0].solid < 0.9 * j[0].polar);
+  }
+}
+
+TEST_CASE("torsion of joints: beside half of an edge a block leaves it free, wherever both stand") {
+  const double bar = geometry::torsion_constant(0.4, 0.1);
+  for (int i = 0; i < 25; ++i) {
+    const double x = 0.1 * i, y = 0.0173 * i;
+    std::vector<geometry::Polyhedron> shapes;
+    for (int k = 0; k < 2; ++k) {
+      shapes.push_back(box(x, x + 0.4, y, y + 0.1, 0.2 * k, 0.2 * k + 0.2));
+      shapes.push_back(box(x + 0.4, x + 0.8, y, y + 0.05, 0.2 * k, 0.2 * k + 0.2));
+    }
+    const auto j = torsion_of(shapes, 0.0);
+    CHECK(std::ranges::count_if(j, [&](const geometry::JointTorsion& t) { return t.solid == doctest::Approx(bar).epsilon(1e-9); }) == 2);
+  }
 }
