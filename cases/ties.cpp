@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -323,13 +324,21 @@ void add_mesh(const Case& c, std::size_t index, double foot, Model& model) {
   model.tie_bill.push_back(bill);
 }
 
+/// The key that gives a tie its name: of several the last.
+std::string naming_key(const Case& c, const std::string& name) {
+  const auto last = [](const auto& list, const char* key, const auto& names) -> std::optional<std::string> {
+    const auto found = std::ranges::find_if(list.rbegin(), list.rend(), names);
+    return found == list.rend() ? std::nullopt : std::optional(indexed_key(key, static_cast<std::size_t>(list.rend() - found) - 1, "name"));
+  };
+  const auto own = last(c.ties, "tie", [&](const Tie& t) { return t.name == name; });
+  const auto numbers = [&](const HouseTie& t) { return t.bar.name == name || name.starts_with(t.bar.name + " "); };
+  return own ? *own : last(c.wall_ties, "wall_tie", numbers).value_or("house");
+}
+
 void check_names(const Case& c, const Model& model) {
   std::set<std::string> names;
   for (const TieBar& bar : model.ties) {
-    if (names.insert(bar.name).second) continue;
-    const auto own = std::ranges::find_if(c.ties.rbegin(), c.ties.rend(), [&](const Tie& t) { return t.name == bar.name; });
-    const std::string key = own == c.ties.rend() ? "house" : indexed_key("tie", static_cast<std::size_t>(c.ties.rend() - own) - 1, "name");
-    throw InputError(key, quoted(bar.name) + " is the name of another tie, too");
+    if (!names.insert(bar.name).second) throw InputError(naming_key(c, bar.name), quoted(bar.name) + " is the name of another tie, too");
   }
 }
 

@@ -14,8 +14,8 @@ namespace voussoir::cases {
 
 struct WallsPlan;
 
-/// Sets model.ties to the ties of `c.ties`, of the house, of its floors' anchors, of `c.wall_ties`, of its roof, of its meshes, and of its
-/// decks, in this order, and sets model.tie_bill.
+/// Sets model.ties to the ties of `c.ties`, of the house, of its floors' anchors, of its roof, of `c.wall_ties`, of the anchors of
+/// `c.floors`, of `c.roofs`, of the meshes of the house, of its decks, and of those between walls, in this order, and sets model.tie_bill.
 ///
 /// Without a plate an end holds the base if it lies on the base (within 1 mm), else the element that contains the end (within 1 mm; the
 /// element in which it lies deepest, the lowest number of equals). With plates each end must lie in the plane of a face that faces away

@@ -45,6 +45,7 @@ class WallRods {
   }
 
   void along(std::size_t height) {
+    if (tie_.walls.empty()) throw InputError(what_.key("walls"), "names no side; wanted one or more");
     for (std::size_t k = 0; k < tie_.walls.size(); ++k) {
       const Leg& leg = plan_.legs[find_side(walls_, plan_, tie_.walls[k], key("walls", k))];
       if (leg.facets.size() > 1) throw InputError(key("walls", k), quoted(tie_.walls[k]) + " bends; rods are straight");

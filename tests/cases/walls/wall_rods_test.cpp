@@ -72,4 +72,8 @@ TEST_CASE("rods of walls that cannot be are refused with the key, the value and 
   refuse([](T t) { t.heights[0] = 2.6; }, "wall_tie[0].heights[0]", "the outer 2 wall stands from 0 to 2.4 m");
   refuse([](T t) { t.kind = HouseTieKind::along, t.at = {}, t.depth = 0.5; }, "wall_tie[0].depth",
          "more than the thickness of the outer 2 wall, 0.4 m");
+  refuse([](T t) { t.kind = HouseTieKind::along, t.at = {}, t.walls = {}; }, "wall_tie[0].walls", "names no side; wanted one or more");
+  Case twice = room();
+  twice.wall_ties.assign(2, rods(HouseTieKind::along, {"outer 1"}));
+  check_refused(twice, std::function<void(Case&)>([](Case&) {}), "wall_tie[1].name", "\"rods\" is the name of another tie, too");
 }
