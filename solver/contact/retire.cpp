@@ -33,10 +33,10 @@ kernels::Patch patch_of(const World& w, std::int64_t id, const kernels::Side& s,
   return p;
 }
 
-/// u of a segment, as its spring has it.
-kernels::Local elongation(const kernels::Side& side, const kernels::SideFrame& f, double s, double t, bool held) {
-  const kernels::Local u = f.d + s * f.ds + t * f.dt;
-  return held && side.twist != 0.0 ? u + kernels::added_by_twist(side.twist, f.ds, f.dt, s, t) : u;
+/// u of a segment, as its spring has it, or its rate. \param d,ds,dt  u, or its rate, of the faces
+kernels::Local of_spring(const kernels::Side& side, kernels::Local d, kernels::Local ds, kernels::Local dt, double s, double t, bool held) {
+  const kernels::Local u = d + s * ds + t * dt;
+  return held && side.twist != 0.0 ? u + kernels::added_by_twist(side.twist, ds, dt, s, t) : u;
 }
 
 /// Bonds that still pull when their faces have slid past each other end with the side. Counts as fracture what their springs held, and by
@@ -48,12 +48,13 @@ void record_torn_bonds(World& w, std::int64_t id, const kernels::Side& s, const 
   const kernels::PointsView points = w.points.view(w.sides.set[i]);
   const kernels::SegmentsView q = w.sides.segments(id);
   for (int k = 0; k < points.n; ++k) {
-    const kernels::Local u = elongation(s, f, points.s[k], points.t[k], kernels::holds(q.bond[k]));
+    if (!kernels::holds(q.bond[k])) continue;
+    const kernels::Local u = of_spring(s, f.d, f.ds, f.dt, points.s[k], points.t[k], true);
     const kernels::Local x{u.n - q.closure(k), u.s1 - q.slip1(k), u.s2 - q.slip2(k)};
-    if (!kernels::holds(q.bond[k]) || x.n < 0.0) continue;
+    if (x.n < 0.0) continue;
     const double kn = kernels::bond_stiffness(*s.laws, k, x.n, s.k.kn);
     const kernels::Local traction{kn * x.n, s.k.ks * x.s1, s.k.ks * x.s2};
-    const kernels::Local rate = f.v + points.s[k] * f.vs + points.t[k] * f.vt;
+    const kernels::Local rate = of_spring(s, f.v, f.vs, f.vt, points.s[k], points.t[k], true);
     w.sides.fracture[i] += 0.5 * s.factor * points.area[k] * (dot(traction, x) + step * dot(traction, rate));
   }
 }
@@ -74,7 +75,7 @@ void hand_over(World& w, std::int64_t id, const kernels::Side& s, const kernels:
   const kernels::Pose pose = kernels::load_pose(w.elements.pose.data(), patch.element);
   for (int k = 0; k < points.n; ++k) {
     const bool held = kernels::holds(q.bond[k]);
-    const kernels::Local u = elongation(s, f, points.s[k], points.t[k], held);
+    const kernels::Local u = of_spring(s, f.d, f.ds, f.dt, points.s[k], points.t[k], held);
     if (to.crushed != nullptr) to.crushed[k] = kernels::crushed_by(*s.laws, k), to.closure(k) = to.recess(k);
     if (u.n - q.closure(k) >= 0.0) continue;
     // Still bonded while it slid half a segment: only the elastic part of its shear lives on.

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/segments/torsion.h"
 #include "solver/analysis/drive.h"
+#include "solver/contact/contact_forces.h"
 #include "solver/run/run.h"
 #include "tests/solver/no_rows.h"
 #include "tests/solver/small_wall.h"
@@ -113,5 +115,34 @@ TEST_CASE("no loss of the ledger ever falls: pushed, tilted, cycled, settled, sh
     cases::Case c = shaken(mixed_wall(3, 5));
     c.time.multirate = 4;
     check(losses_of(c, strong_shaking()));
+  }
+}
+
+TEST_CASE("what a bond gives back as its faces part is the work of its force, with the stiffness against a twist that it has") {
+  constexpr double kTurn = 1e-5, kSpin = 0.3;  // rad, rad/s, about the normal
+  for (const geometry::Torsion torsion : {geometry::Torsion::paper, geometry::Torsion::solid}) {
+    CAPTURE(static_cast<int>(torsion));
+    cases::Case c = small_wall(1, 1);
+    c.segment_torsion = torsion, c.segment_rule = geometry::SegmentRule::rim;  // rim: exact second moments
+    c.blocks.push_back(brick(1, 0, 0.0, 0.2));
+    c.blocks.front().fixed = true;
+    const cases::Model m = cases::build_model(c);
+    const auto torn = [&](double spin) {  // J
+      solver::Simulation sim(c, m, {}, {});
+      solver::World& w = sim.world();
+      const double rows[2][2] = {{std::cos(kTurn) - 1.0, -std::sin(kTurn)}, {std::sin(kTurn), std::cos(kTurn) - 1.0}};
+      double* pose = w.elements.pose.data() + kernels::kPoseStride;
+      pose[0] = rows[0][0], pose[1] = rows[0][1], pose[4] = rows[1][0], pose[5] = rows[1][1], pose[11] = 1e-9;  // a little apart
+      w.elements.twist[kernels::kTwistStride + 5] = spin;
+      std::int32_t side = 0;
+      while (w.sides.joint[static_cast<std::size_t>(side)] < 0 || w.sides.side(side).on_base) ++side;
+      const double stiffness = w.sides.side(side).k.ks;
+      solver::retire_side(w, side);
+      return w.sides.fracture[static_cast<std::size_t>(side)] / (sim.dt() * stiffness);
+    };
+    const auto joint = std::ranges::find_if(m.assembly.joints, [](const geometry::Joint& j) { return j.element_b != geometry::kBase; });
+    const geometry::JointTorsion all = nth(geometry::joint_torsion(m.assembly), joint - m.assembly.joints.begin());
+    const double constant = torsion == geometry::Torsion::solid ? all.solid : all.polar;
+    CHECK((torn(kSpin) - torn(-kSpin)) / (constant * kTurn * kSpin) == doctest::Approx(1.0).epsilon(1e-4));
   }
 }
