@@ -30,15 +30,15 @@ geometry::Polyhedron box(double x0, double x1, double y0, double y1, double z0, 
 }  // namespace
 
 TEST_CASE("constants of torsion of rectangles: those of Timoshenko and Goodier, table of section 109") {
-  CHECK(geometry::torsion_constant(1.0, 1.0) == doctest::Approx(0.1406).epsilon(5e-4));
-  CHECK(geometry::torsion_constant(0.1, 0.2) == doctest::Approx(0.229 * 0.2 * 1e-3).epsilon(2e-3));
-  CHECK(geometry::torsion_constant(1.0, 0.1) == doctest::Approx(0.312 * 1e-3).epsilon(2e-3));
+  CHECK(geometry::torsion_constant(1.0, 1.0) == doctest::Approx(0.1406).epsilon(5e-4).scale(0.0));
+  CHECK(geometry::torsion_constant(0.1, 0.2) == doctest::Approx(0.229 * 0.2 * 1e-3).epsilon(2e-3).scale(0.0));
+  CHECK(geometry::torsion_constant(1.0, 0.1) == doctest::Approx(0.312 * 1e-3).epsilon(2e-3).scale(0.0));
 }
 
 TEST_CASE("torsion of joints: a column is a bar, on the base, too") {
   for (const geometry::JointTorsion& j : torsion_of({box(0, 0.4, 0, 0.1, 0, 0.2), box(0, 0.4, 0, 0.1, 0.2, 0.4)}, 0.0)) {
-    CHECK(j.solid == doctest::Approx(geometry::torsion_constant(0.4, 0.1)).epsilon(1e-12));
-    CHECK(j.polar == doctest::Approx(0.4 * 0.1 * (0.16 + 0.01) / 12.0).epsilon(1e-12));
+    CHECK(j.solid == doctest::Approx(geometry::torsion_constant(0.4, 0.1)).epsilon(1e-12).scale(0.0));
+    CHECK(j.polar == doctest::Approx(0.4 * 0.1 * (0.16 + 0.01) / 12.0).epsilon(1e-12).scale(0.0));
   }
 }
 
@@ -51,8 +51,8 @@ TEST_CASE("torsion of joints: inside a plate half of a bar's, at its edge the me
   int beds = 0;
   for (const geometry::JointTorsion& j : torsion_of(plate, 0.0)) {
     if (j.polar < 0.4 * 0.1 * 0.16 / 12.0) continue;  // a head joint
-    const bool is_inside = j.solid == doctest::Approx(inside).epsilon(1e-9),
-               at_edge = j.solid == doctest::Approx(0.5 * (bar + inside)).epsilon(1e-9);
+    const bool is_inside = j.solid == doctest::Approx(inside).epsilon(1e-9).scale(0.0),
+               at_edge = j.solid == doctest::Approx(0.5 * (bar + inside)).epsilon(1e-9).scale(0.0);
     CHECK((is_inside || at_edge));
     beds += is_inside ? 1 : 10;
   }
@@ -69,7 +69,7 @@ TEST_CASE("torsion of joints: a triangle has Saint-Venant's substitute") {
   const geometry::Polyhedron prism = geometry::make_prism(triangle, 0.0, 0.1);
   const auto j = torsion_of({prism, geometry::moved(prism, {0.1, 0.0, 0.0})}, std::nullopt);
   REQUIRE(j.size() == 1);
-  CHECK(j[0].solid == doctest::Approx(std::pow(0.02, 4) / (40.0 * j[0].polar)).epsilon(1e-9));
+  CHECK(j[0].solid == doctest::Approx(std::pow(0.02, 4) / (40.0 * j[0].polar)).epsilon(1e-9).scale(0.0));
   CHECK(j[0].solid < j[0].polar);
 }
 
@@ -86,7 +86,7 @@ TEST_CASE("torsion of joints: columns of any section that nothing touches have S
     REQUIRE(j.size() == 1);
     geometry::Polygon outline;
     for (const auto& [y, z] : section) outline.push_back({y, z});
-    CHECK(j[0].solid == doctest::Approx(std::pow(geometry::region(outline).area, 4) / (40.0 * j[0].polar)).epsilon(1e-9));
+    CHECK(j[0].solid == doctest::Approx(std::pow(geometry::region(outline).area, 4) / (40.0 * j[0].polar)).epsilon(1e-9).scale(0.0));
     CHECK(j[0].solid < 0.9 * j[0].polar);
   }
 }
@@ -101,6 +101,7 @@ TEST_CASE("torsion of joints: beside half of an edge a block leaves it free, whe
       shapes.push_back(box(x + 0.4, x + 0.8, y, y + 0.05, 0.2 * k, 0.2 * k + 0.2));
     }
     const auto j = torsion_of(shapes, 0.0);
-    CHECK(std::ranges::count_if(j, [&](const geometry::JointTorsion& t) { return t.solid == doctest::Approx(bar).epsilon(1e-9); }) == 2);
+    CHECK(std::ranges::count_if(
+              j, [&](const geometry::JointTorsion& t) { return t.solid == doctest::Approx(bar).epsilon(1e-9).scale(0.0); }) == 2);
   }
 }

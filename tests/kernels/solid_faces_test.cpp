@@ -96,7 +96,7 @@ TEST_CASE("faces that twist as solids do: damaged and steady sides do what the p
       const SideStep found = step_of(kernels::advance_sides, u, b, kernels::SideState::segments);
       const SideStep want = step_of(kernels::advance_sides_reference, plain, b, kernels::SideState::segments);
       check_same(found, want);
-      CHECK(found.result.friction == doctest::Approx(want.result.friction).epsilon(1e-9));
+      CHECK(found.result.friction == doctest::Approx(want.result.friction).epsilon(1e-9).scale(1e-12));
       if (!make_steady(u, found, 0.01, {})) continue;
       ++steady;
       const SideStep again = step_of(kernels::advance_sides, u, b, kernels::SideState::steady);
@@ -140,7 +140,7 @@ TEST_CASE("faces that twist as solids do: the forces are the slope of the stored
     SideUnderTest at = u;
     const SideStep s = step_of(kernels::advance_sides_reference, at, b, kernels::SideState::segments);
     constexpr double kTurn = 1e-8;
-    CHECK((stored(kTurn) - stored(-kTurn)) / (2.0 * kTurn) == doctest::Approx(-s.torque_b.x).epsilon(1e-5));
+    CHECK((stored(kTurn) - stored(-kTurn)) / (2.0 * kTurn) == doctest::Approx(-s.torque_b.x).epsilon(1e-5).scale(0.0));
   }
 }
 
