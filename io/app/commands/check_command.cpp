@@ -196,7 +196,7 @@ void print_rates(std::vector<RateTime> times, const RunTime& own) {
 /// Prints the estimated time of a time history, or of an analysis by dynamics. \throw solver::NumericalError
 void print_run_time(const cases::Case& c, const cases::Model& model, const cases::GroundMotion& motion, solver::Simulation& sim) {
   const solver::Options& options = sim.world().options;
-  const double step = shaken_step(c, sim), one_rate = sim.cycle() == 1 ? step : one_rate_step(c, model, motion, options);
+  const double step = shaken_step(c, sim), one_rate = one_rate_step(c, model, motion, sim, step);
   const RunTime own = run_time(c, sim, step, one_rate);
   std::printf("\nestimate, %d threads      %s if nothing breaks, some %s if it collapses (steps were timed on this machine)\n",
               sim.threads(), format_duration(own.intact).c_str(), format_duration(own.collapse).c_str());
@@ -272,7 +272,7 @@ int check_as_json(const LoadedCase& c, const cases::Model& model, const cases::G
       f.run_seconds = rest_time(c.value.analysis, sim);
     } else {
       const double step = shaken_step(c.value, sim);
-      f.run_seconds = run_time(c.value, sim, step, step).intact;
+      f.run_seconds = run_time(c.value, sim, step, one_rate_step(c.value, model, motion, sim, step)).intact;
     }
   } catch (const solver::NumericalError& e) {
     f.faults = {std::string("the first steps go wrong: ") + e.what()};

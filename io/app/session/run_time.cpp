@@ -68,10 +68,12 @@ double shaken_step(const cases::Case& c, solver::Simulation& sim) {
   return time_a_step(sim);
 }
 
-double one_rate_step(const cases::Case& c, const cases::Model& model, const cases::GroundMotion& motion, const solver::Options& o) {
+double one_rate_step(const cases::Case& c, const cases::Model& model, const cases::GroundMotion& motion, const solver::Simulation& sim,
+                     double step) {
+  if (sim.cycle() == 1) return step;
   const cases::Case other = at_rate(c, 1);
-  solver::Simulation sim(other, model, motion, o);
-  return shaken_step(other, sim);
+  solver::Simulation at_one(other, model, motion, sim.world().options);
+  return shaken_step(other, at_one);
 }
 
 RunTime run_time(const cases::Case& c, const solver::Simulation& sim, double step, double one_rate) {

@@ -28,8 +28,10 @@ struct RateTime {
 /// settles meanwhile, since its load is chosen only afterwards. Makes a few steps. \throw solver::NumericalError
 double shaken_step(const cases::Case& c, solver::Simulation& sim);
 
-/// The same at one rate, of a case with several. \throw solver::NumericalError
-double one_rate_step(const cases::Case& c, const cases::Model& model, const cases::GroundMotion& motion, const solver::Options& o);
+/// The same at one rate, at which all settle. \param sim, step  of the case at its own rates; returned if that is one
+/// \throw solver::NumericalError
+double one_rate_step(const cases::Case& c, const cases::Model& model, const cases::GroundMotion& motion, const solver::Simulation& sim,
+                     double step);
 
 /// Of a time history or an analysis by dynamics. \param step, one_rate  s, shaken_step and one_rate_step
 RunTime run_time(const cases::Case& c, const solver::Simulation& sim, double step, double one_rate);

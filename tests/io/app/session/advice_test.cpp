@@ -131,6 +131,13 @@ TEST_CASE("other rates are those that the case does not have; an analysis has no
   CHECK(tried().empty());
 }
 
+TEST_CASE("a case at several rates settles at one, which is timed apart") {
+  TimberWall one, four(4);
+  const solver::Simulation at_one(one.c, one.m, one.g, {}), at_four(four.c, four.m, four.g, {});
+  CHECK(io::one_rate_step(one.c, one.m, one.g, at_one, 1e3) == 1e3);
+  CHECK(io::one_rate_step(four.c, four.m, four.g, at_four, 1e3) < 1e3);
+}
+
 TEST_CASE("a step is timed while the model is shaken, also where it would settle first") {
   TimberWall w;
   w.c.gravity.settle = true;
