@@ -30,8 +30,10 @@ Relative relative_motion(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 }  // namespace
 
 double twist_of(const kernels::SideConstants& c, double constant) {
+  constexpr double kDigits = 1e-9;  // of second moments: points lie on a raster of 1e-12 m
   const double polar = *c.sss + *c.stt;
-  return polar > 0.0 ? std::sqrt(constant / polar) - 1.0 : 0.0;
+  if (polar <= 0.0 || std::abs(constant - polar) <= kDigits * polar) return 0.0;
+  return std::sqrt(constant / polar) - 1.0;
 }
 
 Stiffness12 side_stiffness(const kernels::Side& side, const kernels::PointsView& points) {

@@ -13,7 +13,7 @@ namespace voussoir::solver {
 using Stiffness12 = std::array<double, 144>;
 
 /// Side::twist with which a side resists a twist about its normal with k_s times a constant of torsion [m4] (its factor of Eq. 11
-/// included).
+/// included); 0 if both agree to the digits of the points.
 double twist_of(const kernels::SideConstants& lane0, double constant);
 
 /// Σ Bᵀ D B dA over the contact points of a side (Eqs. 4, 11), with the slip by twist of its bonded segments, THEORY.md (11a).

@@ -161,3 +161,26 @@ TEST_CASE("rim: crossed edges of bodies that fall on each other sink a millimetr
     CHECK(sunk < (rim ? 0.0025 : 0.0125));
   }
 }
+
+TEST_CASE("under segments.torsion joints within a solid have no twist of their own, to the last digit, wherever they stand") {
+  for (int i = 0; i < 8; ++i) {
+    cases::Case c = small_wall(1, 0);
+    c.segment_rule = geometry::SegmentRule::rim, c.segment_torsion = geometry::Torsion::solid;
+    for (int k = 0; k < 18; ++k) {
+      cases::BlockSpec b = brick(k / 9, k % 9, 0.0, 0.2);
+      for (Vec3& corner : *b.box) corner.x += 0.2 * (k % 3) + 0.173 * i, corner.y += 0.1 * (k / 3 % 3) + 0.31 * i;
+      c.blocks.push_back(b);
+    }
+    const cases::Model m = cases::build_model(c);
+    const solver::Simulation sim(c, m, {}, {});
+    const solver::Sides& sides = sim.world().sides;
+    int found = 0;
+    for (std::int64_t id = 0; id < sides.count(); ++id) {
+      const kernels::Side s = sides.side(id);
+      if (std::min(s.master, s.slave) != 4 || std::max(s.master, s.slave) != 13) continue;
+      CHECK(s.twist == 0.0);
+      ++found;
+    }
+    CHECK(found == 1);
+  }
+}
