@@ -126,7 +126,7 @@ std::vector<TieHold> hold_by_plate(const Model& model, const End& end, const std
     throw InputError(end.key, place_text(model, end.point) +
                                   " m lies on no face that looks away from the other end, so its plate has nothing to press on");
   for (TieHold& h : holds) h.share /= area;
-  if (area < kCovered * plate[0] * plate[1])
+  if (area < (1.0 - 1e-6) * kCovered * plate[0] * plate[1])
     throw InputError(end.key, "only " + text(std::round(100.0 * area / (plate[0] * plate[1]))) + " % of the plate at " +
                                   place_text(model, end.point) + " m lies on faces of the model; wanted " + text(100.0 * kCovered) +
                                   " % or more");

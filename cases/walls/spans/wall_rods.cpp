@@ -65,7 +65,7 @@ class WallRods {
     const Leg &a = plan_.legs[bay.faces[0].leg], &b = plan_.legs[bay.faces[1].leg];
     for (std::size_t i = 0; i < tie_.at.size(); ++i) {
       const double start = a.place(0.0), s = tie_.at[i] - start;
-      if (s < 0.0 || s > a.length())
+      if (s < -kPlanTolerance || s > a.length() + kPlanTolerance)
         throw InputError(key("at", i), text(tie_.at[i]) + " m is not in the " + a.tag + "; allowed: " + text(start) + " to " +
                                            text(std::round((start + a.length()) * 1e4) * 1e-4) + " m along the line of the wall");
       const Vec3 from = a.at(s, -bay.faces[0].d);

@@ -58,6 +58,16 @@ TEST_CASE("rods across lie where they are said to, between the outer faces of tw
   }
 }
 
+TEST_CASE("a plate of which exactly half lies on a wall holds, wherever the plan stands") {
+  for (int i = 0; i < 12; ++i) {
+    CAPTURE(i);
+    Case c = room();
+    c.wall_ties = {rods(HouseTieKind::across, {"outer 2", "outer 4"})};
+    c.wall_ties[0].at = {5.0};  // at the corner
+    CHECK(build_model(moved(c, 0.1 * i, false)).ties.size() == 1);
+  }
+}
+
 TEST_CASE("rods of walls that cannot be are refused with the key, the value and what is allowed") {
   using T = HouseTie&;
   const auto refuse = [](const std::function<void(T)>& change, const std::string& key, const std::string& says) {
