@@ -6,7 +6,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <optional>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -18,6 +17,7 @@
 #include "cases/house/roofs/house_pitched.h"
 #include "cases/names.h"
 #include "cases/solids/outside.h"
+#include "cases/tie_names.h"
 #include "cases/walls/spans/wall_floors.h"
 #include "cases/walls/spans/wall_rods.h"
 #include "cases/walls/spans/wall_roofs.h"
@@ -324,24 +324,6 @@ void add_mesh(const Case& c, std::size_t index, double foot, Model& model) {
   model.tie_bill.push_back(bill);
 }
 
-/// The key that gives a tie its name: of several the last.
-std::string naming_key(const Case& c, const std::string& name) {
-  const auto last = [](const auto& list, const char* key, const auto& names) -> std::optional<std::string> {
-    const auto found = std::ranges::find_if(list.rbegin(), list.rend(), names);
-    return found == list.rend() ? std::nullopt : std::optional(indexed_key(key, static_cast<std::size_t>(list.rend() - found) - 1, "name"));
-  };
-  const auto own = last(c.ties, "tie", [&](const Tie& t) { return t.name == name; });
-  const auto numbers = [&](const HouseTie& t) { return t.bar.name == name || name.starts_with(t.bar.name + " "); };
-  return own ? *own : last(c.wall_ties, "wall_tie", numbers).value_or("house");
-}
-
-void check_names(const Case& c, const Model& model) {
-  std::set<std::string> names;
-  for (const TieBar& bar : model.ties) {
-    if (!names.insert(bar.name).second) throw InputError(naming_key(c, bar.name), quoted(bar.name) + " is the name of another tie, too");
-  }
-}
-
 void add_roof_ties_between_walls(const Case& c, const WallsPlan& plan, double foot, Model& model) {
   std::vector<TieBill> bills(c.roofs.size());
   for (const PlannedTie& planned : wall_roof_ties(c.walls, plan, c.roofs, foot)) {
@@ -388,7 +370,7 @@ void place_ties(const Case& c, const WallsPlan& walls, Model& model) {
   }
   faults.raise();
   add_decks_between_walls(c, walls, foot, model);
-  check_names(c, model);
+  check_tie_names(c, model);
 }
 
 std::size_t own_ties(const Model& model) noexcept {
