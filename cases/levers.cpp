@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cases/case.h"
+#include "geometry/segments/face_grid.h"
 
 namespace voussoir::cases {
 
@@ -41,7 +42,7 @@ Lever coarser(const geometry::Joint& j) {
 
 /// Adds the lever of a wall, unless one as thick is there.
 void add_lever(double width, double height, double segment, std::vector<Lever>& out) {
-  if (std::ranges::find(out, width, &Lever::width) == out.end()) out.push_back({width, height, std::max(1.0, std::round(width / segment))});
+  if (std::ranges::find(out, width, &Lever::width) == out.end()) out.push_back({width, height, geometry::cells_along(width, segment)});
 }
 
 std::vector<Lever> levers_of_walls(const House& h, const Model& model) {

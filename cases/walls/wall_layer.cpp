@@ -30,10 +30,13 @@ double phase(const WallSpec& wall, const HousePlan& bricks, const Fence& fence, 
   return share - std::floor(share);
 }
 
+/// The nearest whole number; the upper one within round-off of the middle between two, so that the place of a wall does not decide.
+double nearest(double bricks) { return std::floor(bricks + 0.5 + 1e-6); }
+
 Field fitted(const WallSpec& wall, const HousePlan& bricks, const Fence& a, const Fence& b) {
   Field f{a.behind, b.before};
   const double before = phase(wall, bricks, a, 1.0), behind = phase(wall, bricks, b, -1.0), length = metres(bricks.brick_length);
-  const double bricks_in_it = std::round((f.high - f.low) / length - before - behind) + before + behind;
+  const double bricks_in_it = nearest((f.high - f.low) / length - before - behind) + before + behind;
   const double scale = bricks_in_it > 0.0 ? (f.high - f.low) / (bricks_in_it * length) : 0.0;
   if (scale >= 2.0 / 3.0 - 1e-9 && scale <= 4.0 / 3.0 + 1e-9) f.scale = scale;
   f.origin = f.low + before * f.scale * length;
@@ -72,7 +75,7 @@ std::vector<Field> fields_of(const WallSpec& wall, const WallsPlan& plan, const 
   if (leg.ring) {
     Field whole{-kInfinite, kInfinite};
     const double brick = metres(bricks.brick_length);
-    whole.scale = leg.length() / (std::max(1.0, std::round(leg.length() / brick)) * brick);
+    whole.scale = leg.length() / (std::max(1.0, nearest(leg.length() / brick)) * brick);
     return {whole};
   }
   std::vector<Fence> fences;

@@ -37,7 +37,7 @@ void check_roof(const Roof& roof, double length, const std::string& key) {
 /// Ranges of the rafters along x: flush with both ends of the roof, at most `spacing` apart, unless they would overlap.
 std::vector<std::array<double, 2>> rafters_along(const Roof& roof, double length) {
   const double width = roof.beam[0];
-  const double wanted = std::ceil((length - width) / roof.spacing - 1e-9), most = std::floor((length - width) / width + 1e-9);
+  const double wanted = std::ceil((length - width) / roof.spacing - 1e-6), most = std::floor((length - width) / width + 1e-6);
   const double bays = std::max(1.0, std::min(wanted, most));
   std::vector<std::array<double, 2>> all;
   for (int i = 0; i <= static_cast<int>(bays); ++i) {

@@ -100,3 +100,16 @@ TEST_CASE("what rises above the height of a wall is its gable, in its uppermost 
     check_part(parts, two ? "askew gable, storey 1" : "askew gable", 2.0, 3.2);
   }
 }
+
+TEST_CASE("a side of some bricks and a half has as many of them wherever the plan stands") {
+  WallSpec low = closed(wall("low", {{0.0, 0.0}, {3.4, 0.0}, {3.4, 3.4}, {0.0, 3.4}}, 0.2, 3.0, WallBond::running));
+  low.line = WallLine::right, low.brick = {0.4, 0.2, 0.2};
+  WallSpec high = low;
+  high.name = "high", high.base = 3.0;
+  const Case c = case_of({low, high});
+  const Model here = build_model(c);
+  for (int i = 1; i < 12; ++i) {
+    CAPTURE(i);
+    check_same(here, build_model(moved(c, 0.55 * i, i % 2 == 0)));
+  }
+}
