@@ -32,6 +32,7 @@
 #include "io/app/session/progress.h"
 #include "io/app/session/run_extent.h"
 #include "io/app/session/run_time.h"
+#include "io/app/session/words/advice.h"
 #include "io/app/session/words/tie_lines.h"
 #include "io/input/case_file/catalogue.h"
 #include "io/input/files/output_path.h"
@@ -193,7 +194,7 @@ void print_rates(std::vector<RateTime> times, const RunTime& own) {
               best->time.collapse / own.collapse);
 }
 
-/// Prints the estimated time of a time history, or of an analysis by dynamics. \throw solver::NumericalError
+/// Prints the estimated time of a time history, or of an analysis by dynamics, and at other rates where that is worth a word. \throw solver::NumericalError
 void print_run_time(const cases::Case& c, const cases::Model& model, const cases::GroundMotion& motion, solver::Simulation& sim) {
   const solver::Options& options = sim.world().options;
   const double step = shaken_step(c, sim), one_rate = one_rate_step(c, model, motion, sim, step);
@@ -204,6 +205,7 @@ void print_run_time(const cases::Case& c, const cases::Model& model, const cases
     std::printf("                         for all %s s of analysis.longest; most analyses end in a tenth of it\n",
                 cases::text(c.end()).c_str());
   std::fflush(stdout);
+  if (own.collapse < kWorthAdvice) return;
   std::vector<RateTime> rates = other_rates(c, model, motion, options, one_rate);
   if (!rates.empty()) print_rates(std::move(rates), own);
 }
