@@ -21,7 +21,7 @@
 #include "cases/solids/halves.h"
 #include "cases/solids/origin.h"
 #include "cases/solids/stone_blocks.h"
-#include "cases/ties.h"
+#include "cases/ties/ties.h"
 #include "cases/walls/walls.h"
 #include "geometry/nth.h"
 

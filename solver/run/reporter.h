@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "cases/ties.h"
+#include "cases/ties/ties.h"
 #include "solver/run/run.h"
 
 /// What a run tells its Recorder.

@@ -11,7 +11,7 @@
 #include "cases/case.h"
 #include "cases/census.h"
 #include "cases/model.h"
-#include "cases/ties.h"
+#include "cases/ties/ties.h"
 #include "geometry/nth.h"
 #include "solver/run/collapse.h"
 #include "solver/run/reporter.h"

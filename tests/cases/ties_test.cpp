@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cases/ties.h"
+#include "cases/ties/ties.h"
 
 #include <doctest/doctest.h>
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "cases/model.h"
-#include "cases/ties.h"
+#include "cases/ties/ties.h"
 #include "io/input/files/errors.h"
 #include "io/output/measures/capacity/capacity_file.h"
 #include "io/output/measures/measures_file.h"

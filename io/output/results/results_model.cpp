@@ -14,7 +14,7 @@
 #include "cases/loads/loads.h"
 #include "cases/loads/moving_load.h"
 #include "cases/model.h"
-#include "cases/ties.h"
+#include "cases/ties/ties.h"
 #include "geometry/nth.h"
 #include "io/output/replay/cells.h"
 

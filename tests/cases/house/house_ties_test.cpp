@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "cases/ties.h"
+#include "cases/ties/ties.h"
 #include "tests/cases/paper_house.h"
 #include "tests/cases/refused.h"
 

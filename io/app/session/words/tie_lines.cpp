@@ -9,7 +9,7 @@
 #include <string>
 
 #include "cases/model.h"
-#include "cases/ties.h"
+#include "cases/ties/ties.h"
 #include "geometry/message.h"
 #include "io/app/session/progress.h"
 #include "io/input/messages/messages.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cases/tie_names.h"
+#include "cases/ties/tie_names.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Voussoir authors
 // SPDX-License-Identifier: Apache-2.0
-#include "cases/ties.h"
+#include "cases/ties/ties.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@
 #include "cases/house/roofs/house_pitched.h"
 #include "cases/names.h"
 #include "cases/solids/outside.h"
-#include "cases/tie_names.h"
+#include "cases/ties/tie_names.h"
 #include "cases/walls/spans/wall_floors.h"
 #include "cases/walls/spans/wall_rods.h"
 #include "cases/walls/spans/wall_roofs.h"
