@@ -157,7 +157,7 @@ std::string what_to_do(const Model& model, const geometry::ModelError& error) {
   const auto stands = [](const Block& b) { return b.wall >= 0; };
   for (const auto& [over, wall] : {std::pair{error.subject(), error.other()}, std::pair{error.other(), error.subject()}})
     if (says("overlaps") && is(over, spans) && is(wall, stands))
-      return "; " + quoted("corners") + " of " + key_of(model, over) + " keeps it within four points: leave out where that wall stands";
+      return "; give " + key_of(model, over) + " four " + quoted("corners") + " between which that wall does not stand";
   if (!is(std::max(error.subject(), error.other()), [](const Block& b) { return b.set >= 0; })) return "";
   if (says("overlaps")) return "; part them where they were drawn, or raise stones.snap if faces were meant to touch";
   if (says("touches nothing") || says("held by nothing"))

@@ -82,9 +82,9 @@ std::optional<Tick> advised(const Level& first, const Level& later, const std::v
 
 /// Refuses two levels with less than the least course height between them; the later one in the case is at fault.
 InputError too_near(const Level& first, const Level& later, std::optional<Tick> nearest, Tick lowest) {
-  return {later.key, text(later.value) + " m ends a course at " + metres_text(later.at) + " m, " +
-                         metres_text(std::abs(later.at - first.at)) + " m from where " +
-                         (first.key.empty() ? "the walls begin" : first.key + " ends one") + "; a course of cut bricks is at least " +
+  return {later.key, text(later.value) + " m needs a bed joint at " + metres_text(later.at) + " m, " +
+                         metres_text(std::abs(later.at - first.at)) + " m from " +
+                         (first.key.empty() ? "the foot of the walls" : "that of " + first.key) + "; a course of cut bricks is at least " +
                          metres_text(lowest) + " m high" +
                          (nearest ? "; nearest: " + metres_text(*nearest) + " m" : "; no value near it goes with all other levels")};
 }

@@ -106,7 +106,7 @@ std::vector<Obstacle> obstacles_in(const Leg& leg, const LegHole& hole) {
     }
   }
   if (leg.ring) return all;
-  if (leg.end(LegEnd::low) == nullptr) all.push_back({-kFar, 0.0, "it begins"});
+  if (leg.end(LegEnd::low) == nullptr) all.push_back({-kFar, 0.0, "it begins at " + length_text(leg.place(0.0)) + " m"});
   if (leg.end(LegEnd::high) == nullptr) all.push_back({leg.length(), kFar, "it ends at " + length_text(leg.place(leg.length())) + " m"});
   return all;
 }
@@ -145,7 +145,7 @@ void check_place(const WallSpec& wall, const WallsPlan& plan, const Leg& leg, co
   for (const Obstacle& o : all) attempt((o.high + least - hole.low) / slope), attempt((o.low - least - hole.high) / slope_high);
   throw InputError(key, text(value) + " m: the " + leg.tag + " would be open from " + stretch_text(leg, hole.low, hole.high) +
                             " along the line of the wall, and " + hit->words + "; at least " + text(least) +
-                            " m of wall, a fifth of a brick, lie between them" +
+                            " m of wall, a fifth of a brick, must lie between them" +
                             (std::isfinite(nearest) ? "; nearest: " + text(std::round((value + nearest) * 1e6) * 1e-6) + " m"
                                                     : "; there is no room for it in this side"));
 }

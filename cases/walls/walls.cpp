@@ -190,9 +190,10 @@ std::vector<InputError> wall_overhangs(const std::vector<WallSpec>& walls, const
     for (const bool left : {false, true}) {
       const double by = overhang(plan, leg, left);
       if (by < 0.1 * walls[leg.wall].brick[1]) continue;
-      found.emplace_back(wall_key(leg.wall, "thickness"), "the " + leg.tag + " reaches " + text(std::round(by * 1e4) * 1e-4) +
-                                                              " m beyond the wall on which it stands, on its " + (left ? "left" : "right") +
-                                                              "; a wall stands on one as thick, or thicker");
+      found.emplace_back(wall_key(leg.wall, "thickness"),
+                         "the " + leg.tag + " reaches " + text(std::round(by * 1e4) * 1e-4) +
+                             " m beyond the wall on which it stands, on its " + (left ? "left" : "right") +
+                             "; at most a tenth of a brick's width may reach out: move it, or make the lower wall thicker");
     }
   }
   return found;

@@ -207,8 +207,8 @@ void raise_to(const std::vector<WallSpec>& walls, const std::string& side, const
   const Facet& f = leg.facets[0];
   const double seat = line.front().t;
   if (leg.facets.size() > 1 || std::abs(cross(f.along, bay.along).z) > kSquare)
-    throw InputError(
-        key, "the " + leg.tag + " is not square to the " + (list == "vault" ? "axis of the vault" : "ridge of the roof") + "; gables are");
+    throw InputError(key, "the " + leg.tag + " is not square to the " + (list == "vault" ? "axis of the vault" : "ridge of the roof") +
+                              "; a gable has to be");
   if (eaves(walls[leg.wall]) != ticks(seat))
     throw InputError(key, "the " + leg.tag + " ends at " + metres_text(eaves(walls[leg.wall])) +
                               " m above the base, and what it rises to rests at " + text(seat) + " m; a gable begins at that height");

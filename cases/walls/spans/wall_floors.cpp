@@ -77,12 +77,12 @@ class FloorLayer {
     laid_.levels = beam_levels(stands, height_, lowest), laid_.undersides = beam_undersides(stands, level, lowest);
     if (std::ranges::any_of(laid_.levels, [&](Interval i) { return i.low <= level && level <= i.high; })) return;
     std::string stand;
-    for (std::size_t k = 0; k < 2; ++k) stand += ", and the " + side(k).tag + " stands " + from_to(stands[k]);
+    for (std::size_t k = 0; k < 2; ++k) stand += "; the " + side(k).tag + " stands " + from_to(stands[k]);
     throw InputError(key(floor_.level ? "level" : "beam"),
-                     text(floor_.level ? *floor_.level : floor_.beams.beam[1]) + " m: the beams would lie " + from_to(laid_.height) +
+                     text(floor_.level ? *floor_.level : floor_.beams.beam[1]) + " m: beams would lie " + from_to(laid_.height) +
                          " above the base" + stand +
-                         "; beams lie in a wall, at its foot or upon it, with no course lower than a fifth of a " +
-                         "brick: " + (laid_.levels.empty() ? "no level fits both" : "allowed levels: " + ranges_text(laid_.levels)));
+                         "; beams lie in a wall, at its foot or on its top, and no course beside them is lower than a fifth of a " +
+                         "brick; " + (laid_.levels.empty() ? "no level fits both" : "allowed levels: " + ranges_text(laid_.levels)));
   }
 
   /// Ground between two planes of beams, from the outer face of one wall to that of the other: (x, y).
@@ -161,9 +161,9 @@ class FloorLayer {
     }
     add_room(ticks(bay.high));
     if (laid_.rooms.empty())
-      throw InputError(key("beam"), text(floor_.beams.beam[0]) + " m is too wide for what lies between the " + side(0).tag + " and the " +
-                                        side(1).tag + ", " + text(std::round((bay.high - bay.low) * 1e4) * 1e-4) + " m" +
-                                        (beside_.empty() ? "" : ", with other walls in it, as the " + widest_name_));
+      throw InputError(key("beam"), text(floor_.beams.beam[0]) + " m is wider than the room between the " + side(0).tag + " and the " +
+                                        side(1).tag + ", which is " + text(std::round((bay.high - bay.low) * 1e4) * 1e-4) + " m" +
+                                        (beside_.empty() ? "" : "; other walls stand in it, as the " + widest_name_));
     for (const auto& room : laid_.rooms) {
       for (const BayBeam& beam : room) check_elements(beam);
     }

@@ -71,7 +71,7 @@ class WallRods {
       const Vec3 from = a.at(s, -bay.faces[0].d);
       const double u = dot(from - bay.from, bay.across);
       if (u < bay.low - kPlanTolerance || u > bay.high + kPlanTolerance)
-        throw InputError(key("at", i), text(tie_.at[i]) + " m: square to it there lies nothing of the " + b.tag);
+        throw InputError(key("at", i), text(tie_.at[i]) + " m: a rod from there, square to the " + a.tag + ", does not meet the " + b.tag);
       const Vec3 to = bay.at(u, v_of(plan_, bay, {bay.faces[1].leg, -bay.faces[1].d}, u));
       check_height(a, s, height), check_height(b, dot(to - b.at(0.0, 0.0), b.facets[0].along), height);
       add(from, to, tie_.heights[height], a.tag + " to " + b.tag + ", " + text(tie_.at[i]) + " m along,");

@@ -80,7 +80,8 @@ void print_adapted_bricks(const cases::Case& c, const char* title) {
   };
   for (const cases::AdaptedBricks& w : cases::adapted_bricks(c.walls, cases::spans_of(c))) {
     const std::string lost =
-        w.lost > 0.0 ? "; straight over bends: " + cases::text(std::round(w.lost * 1e4) * 1e-2) + " % less volume" : "";
+        w.lost > 0.0 ? "; its blocks are straight: " + cases::text(std::round(w.lost * 1e4) * 1e-2) + " % less volume than along the curve"
+                     : "";
     std::printf("%s%-24s %s wall: whole ones %s m long, %s m wide, %s m high%s\n", *title == '\0' ? "" : "\n", title, w.name.c_str(),
                 range(w.shortest, w.longest).c_str(), range(w.width, w.width).c_str(), range(w.lowest, w.highest).c_str(), lost.c_str());
     title = "";
@@ -194,7 +195,8 @@ void print_rates(std::vector<RateTime> times, const RunTime& own) {
               best->time.collapse / own.collapse);
 }
 
-/// Prints the estimated time of a time history, or of an analysis by dynamics, and at other rates where that is worth a word. \throw solver::NumericalError
+/// Prints the estimated time of a time history, or of an analysis by dynamics, and at other rates where that is worth a word. \throw
+/// solver::NumericalError
 void print_run_time(const cases::Case& c, const cases::Model& model, const cases::GroundMotion& motion, solver::Simulation& sim) {
   const solver::Options& options = sim.world().options;
   const double step = shaken_step(c, sim), one_rate = one_rate_step(c, model, motion, sim, step);

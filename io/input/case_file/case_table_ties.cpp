@@ -109,11 +109,12 @@ Table<HouseTie> wall_tie_table() {
   using S = HouseTie;
   const auto name = [](auto& s) -> auto& { return s.bar.name; };
   Table<S> table{
-      "rods by sides of [[wall]] and height: through sides from end to end, or across from one to another",
+      "steel rods in walls of [[wall]], at given heights: along a side, from end to end, or across a room, from one wall to another",
       {required(value<S>("name", name, "", filled(), "begins the names of its ties")),
        required(choice<S, HouseTieKind S::*, HouseTieKind>(
            "kind", &S::kind, "", {{"along", HouseTieKind::along}, {"across", HouseTieKind::across}},
-           "along: through each side, plates on the walls in which it ends; across: between the outer faces of two, square to the first")),
+           "along: a rod through the length of each side, anchored on the outer faces of the walls in which that ends; across: from the "
+           "outer face of the first side to that of the second, square to the first")),
        required(value<S>("walls", &S::walls, "", filled(), "straight sides, named as those of floors; across: two that face each other")),
        required(value<S>("heights", &S::heights, "m", at_least(0.0).usually(usual::kLevel), "above base.z, a rod at each")),
        value<S>("at", &S::at, "m", at_least(0.0).usually(usual::kHouse),
@@ -269,10 +270,11 @@ Table<WallFloor> wall_floor_table() {
   add_span_keys(table.keys, "beams");
   table.keys.push_back(value<S>("direction", &S::direction, "", any(),
                                 "[x, y] of the beams in plan; none: square to the first of the two walls. At least 30 degrees off both"));
-  table.keys.push_back(
-      value<S>("level", &S::level, "m", at_least(0.0).usually(usual::kHeight),
-               "of the beams' upper faces above base.z; none: the lower top of the two walls. Beams lie in a wall, at its foot, "
-               "or upon it: there on the ledge beside a thinner wall, and in pockets of that if they reach so far"));
+  table.keys.push_back(value<S>(
+      "level", &S::level, "m", at_least(0.0).usually(usual::kHeight),
+      "of the beams' upper faces above base.z; none: the lower top of the two walls. Beams end in pockets in a wall, or lie at its foot "
+      "or on its top. On a top beside a thinner wall above, they lie on the ledge, and in pockets of the thinner wall if bearing is "
+      "longer than the ledge"));
   add_beam_keys(
       table.keys, [](auto& s) -> auto& { return s.beams; },
       "depth of the pockets, or of the seats upon the walls, square to the wall; beams go through walls between the two");

@@ -1388,8 +1388,9 @@ class Floor(Part):
     material: of the beams; not empty; needed
     within_member: joint law between elements of one of the beams; not empty; default "wood"
     direction, 2 values: [x, y] of the beams in plan; none: square to the first of the two walls. At least 30 degrees off both
-    level, m: of the beams' upper faces above base.z; none: the lower top of the two walls. Beams lie in a wall, at its foot, or upon it: there on the
-      ledge beside a thinner wall, and in pockets of that if they reach so far; >= 0, usually 0.1 to 60, at most 60000
+    level, m: of the beams' upper faces above base.z; none: the lower top of the two walls. Beams end in pockets in a wall, or lie at its foot or on
+      its top. On a top beside a thinner wall above, they lie on the ledge, and in pockets of the thinner wall if bearing is longer than the ledge; >=
+      0, usually 0.1 to 60, at most 60000
     beam, m, 2 values: width and height of a beam; > 0, usually 0.01 to 2, possible 1e-5 to 2000; default [0.1, 0.2]
     spacing, m: from axis to axis; in each room as many as fit, the rest at both ends; > 0, usually 0.1 to 3, possible 1e-4 to 3000; default 0.6
     bearing, m: depth of the pockets, or of the seats upon the walls, square to the wall; beams go through walls between the two; > 0, usually 0.05 to
@@ -1510,10 +1511,11 @@ class Vault(Part):
 
 @dataclass(kw_only=True, slots=True)
 class WallTie(Part):
-    """[[wall_tie]]: rods by sides of [[wall]] and height: through sides from end to end, or across from one to another.
+    """[[wall_tie]]: steel rods in walls of [[wall]], at given heights: along a side, from end to end, or across a room, from one wall to another.
 
     name: begins the names of its ties; not empty; needed
-    kind: along: through each side, plates on the walls in which it ends; across: between the outer faces of two, square to the first; needed
+    kind: along: a rod through the length of each side, anchored on the outer faces of the walls in which that ends; across: from the outer face of
+      the first side to that of the second, square to the first; needed
     walls: straight sides, named as those of floors; across: two that face each other; not empty; needed
     heights, m: above base.z, a rod at each; >= 0, usually 0.001 to 60, at most 60000; needed
     at, m: across: where along the line of the first wall from its first point, a rod at each; >= 0, usually 0.1 to 100, at most 1e5
@@ -1750,7 +1752,7 @@ class Case(Part):
     floor: beams between two walls of [[wall]], in pockets or upon them, with or without a deck: a floor, or a flat roof
     roof: pairs of rafters between two parallel walls of [[wall]] of the same height, with gables under them
     vault: a barrel vault on two parallel walls of [[wall]] of the same height, as rings of voussoirs; joints have the laws of [joints]
-    wall_tie: rods by sides of [[wall]] and height: through sides from end to end, or across from one to another
+    wall_tie: steel rods in walls of [[wall]], at given heights: along a side, from end to end, or across a room, from one wall to another
     block: a block by itself: box, vertices, or polygon and extrude
     stones: stones out of a file: every closed body in it is one
     load: a force and a moment on a block, constant after the ramp unless they grow

@@ -136,7 +136,7 @@ TEST_CASE("parts of the base beside each other share no joint, nor have they one
 TEST_CASE("parts of the base that make no sense are refused by name") {
   refused([](BasePart& p) { p.level = 0.0; }, "base.part[0].level", "0 m is out of range; allowed: above 0");
   refused([](BasePart& p) { p.level = 2.4; }, "base.part[0].level", "leaves no course of the first storey (2.4 m); at most 2.35 m");
-  refused([](BasePart& p) { p.level = 0.03; }, "base.part[0].level", "0.03 m ends a course at 0.03 m");
+  refused([](BasePart& p) { p.level = 0.03; }, "base.part[0].level", "0.03 m needs a bed joint at 0.03 m");
   refused([](BasePart& p) { p.x = {2.85, 2.8}; }, "base.part[0].x", "[2.85, 2.8] m is no length");
   refused([](BasePart& p) { p.y.reset(); }, "base.part[0].y", "is missing; a rectangle needs both");
   refused([](BasePart& p) { p.wall = "front"; }, "base.part[0]", "lies in a rectangle and under a wall");

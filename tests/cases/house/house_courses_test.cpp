@@ -92,10 +92,10 @@ TEST_CASE("levels that are at fault together are advised values that go together
     for (const InputError& one : e.all()) told += std::string(one.what()) + "\n";
   }
   CAPTURE(told);
-  CHECK(told.find("0.15 m ends a course at 2.55 m, 0.15 m from where head ends one; a course of cut bricks is at least 0.25 m high; "
+  CHECK(told.find("0.15 m needs a bed joint at 2.55 m, 0.15 m from that of head; a course of cut bricks is at least 0.25 m high; "
                   "nearest: 0.25 m") != std::string::npos);
   // By itself 0.25 m would do for the beam, too: but then it ends 0.1 m above the lintel that has been raised.
-  CHECK(told.find("0.15 m ends a course at 2.85 m") != std::string::npos);
+  CHECK(told.find("0.15 m needs a bed joint at 2.85 m") != std::string::npos);
   CHECK(told.find("nearest: 0.35 m") != std::string::npos);
 }
 

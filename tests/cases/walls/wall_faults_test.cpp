@@ -51,11 +51,11 @@ TEST_CASE("places along a wall are refused with what lies there") {
   refuse([](Walls& w) { w[0].openings[0].from = 1.5; }, "wall[0].opening[0].from",
          "1.5 m: the outer 1 wall would be open from 1.5 to 2.5 m along the line of the wall, and the inner wall meets it from 1.9 to 2.1 "
          "m; at least 0.08 m of wall, "
-         "a fifth of a brick, lie between them; nearest: 2.18 m");
+         "a fifth of a brick, must lie between them; nearest: 2.18 m");
   refuse([](Walls& w) { w[0].openings[0].from = 4.2, w[0].openings[0].width = 0.6; }, "wall[0].opening[0].from", "nearest: 4.12 m");
   refuse([](Walls& w) { w[0].openings[0].from = 2.12, w[0].openings[0].width = 2.6; }, "wall[0].opening[0].from", "no room for it");
   refuse([](Walls& w) { w[0].openings[0].from = 4.5; }, "wall[0].opening[0].from", "does not go round a corner");
-  refuse([](Walls& w) { w[0].openings[0].from = 0.03; }, "wall[0].opening[0].from", "and it begins; at least 0.08 m");
+  refuse([](Walls& w) { w[0].openings[0].from = 0.03; }, "wall[0].opening[0].from", "and it begins at 0 m; at least 0.08 m");
   refuse([](Walls& w) { w[0].openings[0].height = 2.5; }, "wall[0].opening[0].height", "above the wall (2.4 m); at most 2.4 m");
   refuse([](Walls& w) { w[0].openings[0].sill = 2.4; }, "wall[0].opening[0].sill", "0 to below the height of the wall, 2.4 m");
   refuse([](Walls& w) { w[0].openings[0].height = 2.38; }, "wall[0].opening[0].height", "nearest: 2.4 m");
@@ -131,7 +131,7 @@ TEST_CASE("a wall that begins in the wall upon which it stands is refused at its
   c.walls.push_back(c.walls[0]);
   c.walls[1].name = "high", c.walls[1].base = 2.3;
   check_refused(c, std::function<void(Case&)>([](Case&) {}), "wall[1].base",
-                "2.3 m lies in the low 1 wall, along which the high 1 wall stands; nearest: 2.4 m");
+                "2.3 m is below the top of the low 1 wall, on which the high 1 wall stands; nearest: 2.4 m, that top");
   try {
     build_model(c);
   } catch (const InputErrors& e) {
@@ -170,7 +170,8 @@ TEST_CASE("vaults and roofs that lie in walls are refused with what bounds them"
   c.walls[1].name = "high", c.walls[1].base = 2.0, c.walls[1].height = 2.4, c.walls[1].thickness = 0.2;
   c.vaults.resize(1);
   c.vaults[0].name = "vault", c.vaults[0].walls = {"low 1", "low 3"}, c.vaults[0].material = "adobe";
-  check_refused(c, std::function<void(Case&)>([](Case&) {}), "vault[0]", "\"corners\" of vault[0] keeps it within four points");
+  check_refused(c, std::function<void(Case&)>([](Case&) {}), "vault[0]",
+                "give vault[0] four \"corners\" between which that wall does not stand");
 }
 
 TEST_CASE("what a wall loses in its bends is told: blocks are straight") {
