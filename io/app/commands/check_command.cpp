@@ -363,7 +363,8 @@ Command add_check(CLI::App& program) {
   auto w = std::make_shared<CheckWords>();
   add_case(*words, w->c);
   add_short_keys(*words, w->c);
-  words->add_option("--draw", w->o.draw, "write a drawing to this SVG file: plans of two courses and four elevations");
+  words->add_option("--draw", w->o.draw,
+                    "write a drawing to this SVG file: four elevations, and plans of two courses or through all openings");
   words->add_flag("--overwrite", w->o.overwrite, "replace an existing drawing");
   words->add_flag("--bill", w->o.bill, "the whole bill of blocks, not only the kinds with most volume");
   add_format(*words, w->o.json);

@@ -14,6 +14,7 @@
 #include "geometry/nth.h"
 #include "io/output/drawing/dimensions.h"
 #include "io/output/drawing/svg.h"
+#include "io/output/drawing/wall_dimensions.h"
 
 namespace voussoir::io {
 namespace {
@@ -28,6 +29,7 @@ constexpr double kLargestScale = 140.0;                                         
 constexpr double kBehind = 0.55;                 // m; faces farther than this behind the nearest one are drawn darker
 constexpr double kWords = 58.0, kPieces = 20.0;  // below the foot of a view: caption, dimensions of the wall
 constexpr double kBeside = 10.0;                 // units of ground drawn beside the house
+constexpr std::size_t kMostPlans = 6;            // of walls of any plan
 constexpr const char* kNamed = "#1f5fa8";        // not red, which marks cracks in all pictures
 constexpr const char* kTie = "#1b7f5c";
 
@@ -118,7 +120,8 @@ struct VisibleFace {
 
 class Drawing {
  public:
-  Drawing(const cases::Case& c, const cases::Model& model) : case_(c), model_(model) {
+  Drawing(const cases::Case& c, const cases::Model& model)
+      : case_(c), model_(model), base_(c.base ? c.base->z : 0.0), outlines_(cases::wall_outlines(c.walls, {c.floors, c.roofs, c.vaults})) {
     box_ = geometry::bounds(model.blocks.front().shape);
     for (const cases::Block& b : model.blocks) {
       if (b.ground >= 0) continue;  // ground may extend far beyond the walls on it
@@ -135,9 +138,9 @@ class Drawing {
     const Vec3 size = box_.high - box_.low;
     const double wide = scale_ * size.x, deep = scale_ * size.y, high = scale_ * size.z;
     const double width = std::max(2.0 * std::max(wide, deep) + 3.0 * kMargin, 640.0);
-    const std::array<double, 3> rows{high, high, deep};
-    double height = kTitle + kLegend + kMargin;
-    for (const double row : rows) height += row + kCaption + kMargin;
+    const std::vector<double> sections = section_heights();
+    double height = kTitle + kLegend + kMargin + 2.0 * (high + kCaption + kMargin);
+    for (std::size_t i = 0; i < sections.size(); i += 2) height += deep + kCaption + kMargin;
     Svg svg(width, height);
     svg.text({kMargin, 30.0}, case_.title, 18.0);
     double top = kTitle;
@@ -148,11 +151,10 @@ class Drawing {
     draw_elevation(svg, kElevations[2], {kMargin, top}, high);
     draw_elevation(svg, kElevations[3], {second, top}, high);
     top += high + kCaption + kMargin;
-    const double section = section_height(), course = case_.house            ? case_.house->brick[2] + case_.house->mortar
-                                                      : !case_.walls.empty() ? case_.walls[0].brick[2]
-                                                                             : 0.0;
-    draw_plan(svg, section, {kMargin, top}, deep);
-    if (course > 0.0) draw_plan(svg, section + course, {second, top}, deep);
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+      draw_plan(svg, sections[i], {i % 2 == 0 ? kMargin : second, top}, deep);
+      if (i % 2 == 1) top += deep + kCaption + kMargin;
+    }
     draw_legend(svg, height - kLegend);
     draw_scale_bar(svg, {width - kMargin - 180.0, height - kLegend + 8.0}, scale_);
     return std::move(svg).finish();
@@ -232,6 +234,7 @@ class Drawing {
     svg.line({corner.s - 8.0, corner.t + height}, {corner.s + width + 8.0, corner.t + height}, "#222", 1.5);
     draw_opening_dimensions(
         svg, case_, view.name, box_, [&](Vec3 p) { return frame.at(p); }, kPieces);
+    draw_wall_openings(svg, outlines_, base_, {view.right, view.into}, [&](Vec3 p) { return frame.at(p); });
     draw_axes(svg, {corner.s + width - 30.0, corner.t + height + kWords + 2.0}, view.right, view.up);
     svg.text({corner.s, corner.t + height + kWords},
              std::string(view.name) + ", " + metres_text(std::abs(dot(size, view.right))) + " x " + metres_text(size.z) + " m", 13.0);
@@ -249,6 +252,7 @@ class Drawing {
     }
     for (const auto& [element, name] : named_) label(svg, frame, element);
     draw_thicknesses(svg, case_, z, [&](Vec3 p) { return frame.at(p); });
+    draw_wall_plan(svg, outlines_, base_, z - base_, [&](Vec3 p) { return frame.at(p); });
     draw_axes(svg, {corner.s + scale_ * (box_.high.x - box_.low.x) - 30.0, corner.t + height + kWords + 2.0}, kPlan.right, kPlan.up);
     svg.text({corner.s, corner.t + height + kWords}, "plan at z = " + metres_text(model_.origin.z + z) + " m; front below", 13.0);
   }
@@ -312,7 +316,17 @@ class Drawing {
     svg.text({left + 22.0, top + 11.0}, "tie: " + std::to_string(model_.ties.size()), 12.0);
   }
 
-  /// Height of the section: the middle of the course that meets most openings, among courses at half the height of an opening.
+  /// Heights of the plans [m]: of walls of any plan as many as show all openings, of a house a course and the one above it.
+  [[nodiscard]] std::vector<double> section_heights() const {
+    std::vector<double> heights;
+    for (const double h : plan_heights(outlines_, kMostPlans)) heights.push_back(base_ + h);
+    if (!heights.empty()) return heights;
+    const double section = section_height();
+    if (!case_.house) return {section};
+    return {section, section + case_.house->brick[2] + case_.house->mortar};
+  }
+
+  /// Height of the section of a house: the middle of the course that meets most openings, among courses at half the height of an opening.
   [[nodiscard]] double section_height() const {
     double best = 0.5 * (box_.low.z + box_.high.z);
     if (!case_.house) return best;
@@ -331,7 +345,9 @@ class Drawing {
 
   const cases::Case& case_;
   const cases::Model& model_;
-  geometry::Box3 box_;  // m
+  double base_;                               // m, base.z
+  std::vector<cases::WallOutline> outlines_;  // of [[wall]]
+  geometry::Box3 box_;                        // m
   std::map<std::size_t, std::string> named_;
   double scale_ = 1.0;  // units per metre
 };

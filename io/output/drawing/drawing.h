@@ -6,14 +6,14 @@
 
 #include "cases/forward.h"
 
-/// A drawing of a model: four elevations and the plans of two courses, every block with its edges, as SVG.
+/// A drawing of a model: four elevations, and plans of two courses or of all storeys, every block with its edges, as SVG.
 namespace voussoir::io {
 
 /// Elevations are seen from outside; parts behind an opening are darker. The plans are horizontal sections, for a house through the course
-/// that meets most openings and the course above; else at half the model's height. Openings and thicknesses of a single house have
-/// dimensions (m); every view has axes, the sheet a scale bar. The elements that the case follows (output.history) are blue and named. Ties
-/// are green lines; straps of meshes are drawn in the elevations only, on the visible faces.
-/// \pre the model has an element
+/// that meets most openings and the course above; for walls of any plan through all openings, with the names of their sides; else at half
+/// the model's height. Openings and thicknesses of a single house, and of walls of any plan, have dimensions (m); every view has axes, the
+/// sheet a scale bar. The elements that the case follows (output.history) are blue and named. Ties are green lines; straps of meshes are
+/// drawn in the elevations only, on the visible faces. \pre the model has an element
 std::string draw(const cases::Case& c, const cases::Model& model);
 
 }  // namespace voussoir::io

@@ -5,11 +5,14 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 #include "cases/model.h"
+#include "io/output/drawing/wall_dimensions.h"
 #include "io/output/report/vtu_file.h"
 #include "tests/cases/paper_house.h"
+#include "tests/cases/walls/plan_walls.h"
 
 using namespace voussoir;
 
@@ -107,4 +110,43 @@ TEST_CASE("mode shapes: vertices move with their element") {
   CHECK(count(vtu, "8 16 </DataArray>") == 1);
   // u + theta x r at the first corner of the upper brick, r = (-0.1, -0.05, -0.05): (1 + 2 * 0.05, -2 * 0.1, 0)
   CHECK(count(vtu, "1.1 -0.2 0 \n") >= 1);
+}
+
+TEST_CASE("walls of any plan have plans through all their openings, with the names, lengths and openings of their sides") {
+  cases::Case c = testing::case_of({testing::closed(testing::wall("outer", {{0.0, 0.0}, {5.0, 0.0}, {5.0, 4.0}, {0.0, 4.0}}, 0.4, 5.0)),
+                                    testing::wall("inner", {{2.5, 0.0}, {2.5, 4.0}}, 0.2, 5.0)});
+  c.walls[0].line = cases::WallLine::right;
+  // A door and a window that one height meets, and a window above them; a door of the inner wall, which the outer ones hide.
+  c.walls[0].openings = {{1.0, 1.1, 0.0, 2.1, {}, {}}, {6.3, 0.9, 0.8, 1.2, {}, {}}, {3.2, 0.7, 3.3, 1.3, {}, {}}};
+  c.walls[1].openings = {{1.6, 0.85, 0.0, 1.95, {}, {}}};
+  const std::vector<cases::WallOutline> walls = cases::wall_outlines(c.walls, {});
+  const std::vector<double> heights = io::plan_heights(walls, 6);
+  REQUIRE(heights.size() == 2);
+  CHECK(heights[0] > 0.8);
+  CHECK(heights[0] < 1.95);
+  CHECK(heights[1] > 3.3);
+  CHECK(heights[1] < 4.6);
+  CHECK(io::plan_heights(walls, 1).size() == 1);
+  CHECK(io::plan_heights(cases::wall_outlines({c.walls[0]}, {}), 6).size() == 2);
+  const std::string svg = io::draw(c, cases::build_model(c));
+  CHECK(count(svg, ">outer 2, 0.40<") == 2);
+  CHECK(count(svg, ">inner, 0.20<") == 2);
+  CHECK(count(svg, ">2.90<") == 1);  // of the first side: 1.00, 1.10 and 2.90 m below, 3.20, 0.70 and 1.10 m above
+  CHECK(count(svg, ">3.20<") == 1);
+  CHECK(count(svg, ">0.85<") == 1);  // the inner door in plan alone
+  CHECK(count(svg, ">1.95<") == 0);
+  CHECK(count(svg, ">0.90<") == 2);  // the window in plan and in the elevation of its side
+}
+
+TEST_CASE("walls without openings have one plan, and a round one its name alone") {
+  cases::WallSpec ring = testing::closed(testing::wall("ring", {}, 0.4, 1.0, cases::WallBond::through));
+  for (int i = 0; i < 24; ++i) ring.points.push_back({2.0 * std::cos(i * 3.14159265 / 12.0), 2.0 * std::sin(i * 3.14159265 / 12.0)});
+  ring.brick = {0.8, 0.4, 0.25};
+  const cases::Case c = testing::case_of({ring});
+  const std::vector<double> heights = io::plan_heights(cases::wall_outlines(c.walls, {}), 6);
+  REQUIRE(heights.size() == 1);
+  CHECK(heights[0] == doctest::Approx(0.5));
+  const std::string svg = io::draw(c, cases::build_model(c));
+  CHECK(count(svg, ">ring, 0.40<") == 1);
+  CHECK(count(svg, ">0.52<") == 0);  // no lengths of its straight parts
 }
