@@ -61,7 +61,7 @@ inline Vec3 meeting_point(const PlacedShape& other, const PlacedShape& body, Vec
     alone = false;
     for (std::size_t j = 0; j < count; ++j) {
       const Vec3 to = other.vertex(j);
-      if ((j <= i && j != lowest) || !is_deep(to)) continue;
+      if (j != lowest && (j <= i || !is_deep(to))) continue;
       const PartInside part = part_inside(body, on_face(from), on_face(to));
       if (part.share == 0.0) continue;
       const double weight = part.share * norm(to - from);
