@@ -113,11 +113,33 @@ void add_lead(World& w, const Lead& lead, double alpha, std::size_t i) {
 
 }  // namespace
 
-void Relaxation::look(World& w, Vec3 acceleration, bool on_the_way, const Lead& lead) {
-  if (patches_ != w.patches.patch.size()) {
-    find_inert_masses(w);
-    patches_ = w.patches.patch.size();
+void Relaxation::restore(World& w) {
+  if (!on_ || patches_ == w.patches.patch.size()) return;
+  find_inert_masses(w);
+  patches_ = w.patches.patch.size();
+}
+
+/// Finds masses anew where a joint has come apart. Velocities stay, so the energy of motion changes: relaxation gives or takes it.
+void Relaxation::renew_masses(World& w) {
+  Elements& e = w.elements;
+  const Array<double> mass = e.inert.mass, inv_inertia = e.inert.inv_inertia;
+  find_inert_masses(w);
+  patches_ = w.patches.patch.size();
+  double given = 0.0, turning = 0.0;  // J
+  for (std::size_t i = 0; i < static_cast<std::size_t>(e.count); ++i) {
+    const Vec3 v = at(e.vx, e.vy, e.vz, i), spin = at(e.wx, e.wy, e.wz, i), l = at(e.lx, e.ly, e.lz, i);
+    given += 0.5 * (e.inert.mass[i] - mass[i]) * dot(v, v);
+    if (!(e.inert.inv_inertia[i] > 0.0)) continue;
+    const double ratio = inv_inertia[i] / e.inert.inv_inertia[i];
+    turning += 0.5 * (ratio - 1.0) * dot(l, spin);
+    e.lx[i] *= ratio, e.ly[i] *= ratio, e.lz[i] *= ratio;
   }
+  state_.turning += turning;
+  e.tally[static_cast<std::size_t>(kernels::Tally::loss_damping)] -= given + turning;
+}
+
+void Relaxation::look(World& w, Vec3 acceleration, bool on_the_way, const Lead& lead) {
+  if (patches_ != w.patches.patch.size()) renew_masses(w);
   const Sums s = all_of(w, acceleration, lead);
   state_.unbalanced = s.most / typical_;
   // The last kick has booked the loss by damping of rotations with their angular velocities before it, not the mean: THEORY.md (27).

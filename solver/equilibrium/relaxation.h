@@ -27,6 +27,8 @@ class Relaxation {
   /// structure is from rest and sets the mass damping of the step.
   /// \param on_the_way  the load still goes on to the next point \param lead  the motion that is predicted for it
   void look(World& w, Vec3 acceleration, bool on_the_way, const Lead& lead);
+  /// Finds the masses that belong to a restored state. \pre the world has that state
+  void restore(World& w);
 
   /// Largest unbalanced force over the mean weight of an element, or moment over that and the element's radius, in the last step.
   [[nodiscard]] double unbalanced() const noexcept { return state_.unbalanced; }
@@ -48,6 +50,7 @@ class Relaxation {
 
   [[nodiscard]] Sums look_at(World& w, std::size_t i, Vec3 acceleration, const Lead& lead) const;
   [[nodiscard]] Sums all_of(World& w, Vec3 acceleration, const Lead& lead);
+  void renew_masses(World& w);
 
   bool on_ = false;
   double typical_ = 0.0;     // N

@@ -63,6 +63,7 @@ class Simulation {
 
   /// Of an analysis whose rows are states of rest; off in any other.
   [[nodiscard]] const Relaxation& relaxation() const { return relaxation_; }
+  void restore_masses() { relaxation_.restore(*world_); }  // see Relaxation::restore
   [[nodiscard]] const Path& path() const { return path_; }
   [[nodiscard]] Path& path() { return path_; }
   /// Takes the state of rest of the last step, which had a sample, as a point of the path.

@@ -177,6 +177,7 @@ void restore(Simulation& sim, RunState& plan, const SavedState& from) {
   bound_dashpots_by_near_faces(w, nullptr);
   use_restored_overlap_pairs(w);
   list_live_blocks(w);
+  sim.restore_masses();
 }
 
 std::uint64_t model_hash(const World& w) {
