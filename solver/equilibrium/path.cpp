@@ -21,7 +21,7 @@ constexpr double kForeseen = 0.05;                           // open share of th
 constexpr double kMostOfWay = 0.1, kElasticOfWay = 0.3;      // of the way so far; if nothing has been damaged
 constexpr double kFew = 5e-4;                                // of all bonds: so many that slip or break count as none
 constexpr double kMuch = 2e-3;                               // of all bonds: so many that break at once and the increment is halved
-constexpr double kOfLoad = 10.0, kStrictest = 0.1;           // of the tolerance at a load factor of 1 in each; at least
+constexpr double kOfLoad = 2.5, kStrictest = 0.1;            // of the tolerance at a load factor of 1 in each; at least
 constexpr double kLeast = 0.1;                               // of the first increment
 // Factor on the length of ramps: after one in which the load factor exceeded both of its points, and after others; at most.
 constexpr double kSlower = 2.0, kFaster = 0.7, kSlowest = 64.0;
