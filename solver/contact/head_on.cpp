@@ -37,7 +37,7 @@ HeadOn head_on(const World& w, std::int32_t element, std::int32_t face) {
   HeadOn h;
   h.mass = w.elements.mass[e] / w.model.assembly.faces[f].area;
   h.stiffness = 1.0 / (2.0 * own.compliance_n);
-  h.dashpot = 2.0 * w.contact.damping * std::sqrt(2.0 * own.mass * h.stiffness) / (1.0 + w.dt * 2.0 * static_cast<double>(w.dashpot_bounds.face[f]));
+  h.dashpot = 2.0 * w.contact.damping * std::sqrt(2.0 * own.mass * h.stiffness) / (1.0 + w.dt * 2.0 * w.dashpot_bounds.face[f]);
   h.step = w.dt;
   h.bounded = w.contact.dashpot_excess == kernels::kBounded;
   return h;

@@ -74,7 +74,7 @@ std::vector<std::uint8_t> near_faces(const World& w) {
 double bound_of(const World& w, std::size_t e, const std::vector<std::uint8_t>& near) {
   double sum = 0.0;
   for (std::int32_t f = w.elements.first_face[e]; f < w.elements.first_face[e] + w.elements.face_count[e]; ++f) {
-    if (nth(near, f) != 0) sum += static_cast<double>(nth(w.dashpot_bounds.face, f));
+    if (nth(near, f) != 0) sum += nth(w.dashpot_bounds.face, f);
   }
   return std::min(sum, w.dashpot_bounds.all[e]);
 }

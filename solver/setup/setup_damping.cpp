@@ -75,14 +75,11 @@ class DampingMatrices {
       if (!(sum > 0.0)) continue;
       power /= sum;
       for (int k = 0; k < 6; ++k) power = power * power;
-      nth(w_.dashpot_bounds.face, w_.elements.first_face[i] + f) =
-          static_cast<float>((1.0 + kFloat) * sum * std::pow(power.trace(), 1.0 / 64));
+      nth(w_.dashpot_bounds.face, w_.elements.first_face[i] + f) = sum * std::pow(power.trace(), 1.0 / 64);
     }
   }
 
  private:
-  static constexpr double kFloat = 1e-6;  // more than a float is rounded by
-
   [[nodiscard]] Matrix6 mass_matrix(std::size_t i) const {
     const geometry::Element& g = w_.model.assembly.elements[i];
     const double mass = w_.elements.mass[i], density = mass / g.mass.volume;
@@ -148,7 +145,7 @@ void add_segments(const geometry::Assembly& a, DampingMatrices& matrices, std::i
 void set_up_damping_bound(World& w) {
   const geometry::Assembly& a = w.model.assembly;
   DampingMatrices matrices(w);
-  w.dashpot_bounds.all.assign(w.elements.body.size(), 0.0), w.dashpot_bounds.face.assign(w.faces.size(), 0.0F);
+  w.dashpot_bounds.all.assign(w.elements.body.size(), 0.0), w.dashpot_bounds.face.assign(w.faces.size(), 0.0);
   // Each range goes through all joints and adds to its own elements alone, so every element gets its segments in one order.
   const std::int64_t at_a_time = (w.elements.count + w.team.size() - 1) / w.team.size();
   w.team.share_out(w.elements.count, std::max<std::int64_t>(at_a_time, 1), [&](std::int64_t first, std::int64_t last) {

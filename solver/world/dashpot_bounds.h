@@ -10,7 +10,7 @@ namespace voussoir::solver {
 /// faces that have something near (contact/near_faces.h).
 struct DashpotBounds {
   std::vector<double> all;  // 1/s, by element: with all its faces in contact
-  std::vector<float> face;  // 1/s, by index into World::faces: with that face alone
+  std::vector<double> face;  // 1/s, by index into World::faces: with that face alone
 };
 
 }  // namespace voussoir::solver

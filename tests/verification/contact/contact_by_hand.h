@@ -63,7 +63,7 @@ class PointByHand {
 /// The largest eigenvalue of M⁻¹C of a box with the dashpots 2 h √(ρE') and 2 h √(ρG) per area all over one face, by the bound that the
 /// program takes: the 64th root of the sum of the 64th powers of all six. By symmetry four of them are those of two pairs, a slide with
 /// a turn. \param edge  m; the face is normal to z
-inline float face_damping_bound(Vec3 edge, double plane, double shear, double density, double h) {
+inline double face_damping_bound(Vec3 edge, double plane, double shear, double density, double h) {
   const double area = edge.x * edge.y, arm = 0.5 * edge.z, mass = density * area * edge.z;
   const double cn = 2.0 * h * std::sqrt(density * plane) * area, cs = 2.0 * h * std::sqrt(density * shear) * area;
   double sum = std::pow(cn / mass, 64.0) + std::pow(cs / mass, 64.0);  // up; about z, where the second moments are those of the mass
@@ -73,7 +73,7 @@ inline float face_damping_bound(Vec3 edge, double plane, double shear, double de
     const double mean = 0.5 * (slide + turn), apart = std::sqrt(0.25 * (slide - turn) * (slide - turn) + slide * cs * arm * arm / inertia);
     sum += std::pow(mean + apart, 64.0) + std::pow(mean - apart, 64.0);
   }
-  return static_cast<float>((1.0 + 1e-6) * std::pow(sum, 1.0 / 64));  // rounded up in single precision, as the program keeps it
+  return std::pow(sum, 1.0 / 64);
 }
 
 }  // namespace voussoir::testing
