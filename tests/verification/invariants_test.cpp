@@ -12,7 +12,7 @@ namespace voussoir::testing {
 namespace {
 
 constexpr double kEnd = 0.5,
-                 kEndOfHouse = 0.25;  // s; by then the house is cracked all over. Later a point breaks a step earlier in one of both
+                 kEndOfHouse = 0.05;  // s; by then the house is cracked all over. Later a point may break a step earlier in one of both
 
 /// Where a point of the first case lies in the second. Linear but for `shift`.
 struct Image {
