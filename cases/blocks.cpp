@@ -11,7 +11,7 @@
 #include "cases/case.h"
 #include "cases/input_error.h"
 #include "cases/names.h"
-#include "cases/solids/halves.h"
+#include "cases/solids/cells.h"
 #include "cases/solids/stone_blocks.h"
 #include "geometry/nth.h"
 #include "geometry/prism.h"
@@ -60,7 +60,7 @@ Polyhedron shape_of(const BlockSpec& spec, const std::string& key) {
     geometry::validate(shape);
     if (!spec.rotate) return shape;
     if (norm(spec.rotate->axis) == 0.0) throw InputError(key + ".rotate.axis", "has no direction; give a vector other than [0, 0, 0]");
-    return spec.halves ? shape : turned(shape, *spec.rotate);  // halves are cut before the turn
+    return spec.halves || spec.cells ? shape : turned(shape, *spec.rotate);  // cells are cut before the turn
   } catch (const geometry::ModelError& e) {
     throw InputError(key, e.what());
   }
@@ -89,31 +89,78 @@ void check_support(const BlockSpec& spec, const std::string& key) {
   check_motion(*spec.motion, key + ".motion");
 }
 
-/// Refuses `halves` for a block that is no box, or is fixed: fixed blocks cannot crack.
-void check_halves(const BlockSpec& spec, const std::string& key) {
-  const char* against = !spec.box ? "vertices or a polygon" : spec.fixed ? "fixed = true" : nullptr;
-  if (against != nullptr) throw InputError(key + ".halves", std::string("true does not go with ") + against + "; allowed: a free box");
+/// Refuses `halves` and `cells` for blocks of other shapes, and for fixed ones, which cannot crack.
+void check_shape_of_cells(const BlockSpec& spec, const std::string& key) {
+  check_cells(spec.halves, spec.cells, key);
+  if (spec.halves) {
+    const char* against = !spec.box ? "vertices or a polygon" : spec.fixed ? "fixed = true" : nullptr;
+    if (against != nullptr) throw InputError(key + ".halves", std::string("true does not go with ") + against + "; allowed: a free box");
+  } else if (spec.cells) {
+    const bool many = !spec.polygon.empty() && spec.polygon.size() != 4;
+    const char* against = spec.fixed ? "fixed = true" : !spec.faces.empty() ? "faces" : many ? "this polygon" : nullptr;
+    if (against != nullptr)
+      throw InputError(key + ".cells", std::string("do not go with ") + against +
+                                           "; allowed: a free box, polygon of four corners with extrude, or eight vertices without faces");
+  }
 }
 
-/// Centre of a box, rotated or not [m].
-Vec3 centre_of(const Polyhedron& box) {
+/// Cells along the edges at the first vertex of the block's shape.
+CellCounts cells_by_edges(const BlockSpec& spec) {
+  const CellCounts& n = *spec.cells;
+  if (spec.box) {  // its length is the longer horizontal edge
+    const Vec3 size = (*spec.box)[1] - (*spec.box)[0];
+    return std::abs(size.x) >= std::abs(size.y) ? n : CellCounts{n[1], n[0], n[2]};
+  }
+  if (spec.polygon.empty()) return n;
+  const auto& p = spec.polygon;  // make_prism turns a clockwise one round: its first edge is then the last
+  const double turn = (p[2][0] - p[0][0]) * (p[3][1] - p[1][1]) - (p[2][1] - p[0][1]) * (p[3][0] - p[1][0]);
+  return turn > 0.0 ? CellCounts{n[0], n[2], n[1]} : CellCounts{n[2], n[0], n[1]};
+}
+
+/// Centre of a box, rotated or not, or centroid of another shape [m].
+Vec3 centre_of(const BlockSpec& spec, const Polyhedron& shape) {
+  if (!spec.box) return geometry::mass_properties(shape).centroid;
   Vec3 sum;
-  for (const Vec3 v : box.vertices) sum += v;
-  return sum / static_cast<double>(box.vertices.size());
+  for (const Vec3 v : shape.vertices) sum += v;
+  return sum / static_cast<double>(shape.vertices.size());
 }
 
-/// The two halves of a block, which was cut before `rotate`: rotated, and moving as parts of one body.
-std::array<Block, 2> moving_halves(const BlockSpec& spec, const Block& whole) {
-  std::array<Block, 2> halves = in_halves(whole, whole.given);
+/// Adds to the velocities of cells what the block's angular velocity gives them: they move as parts of one body.
+void spin(const BlockSpec& spec, std::vector<Block>& cells) {
+  std::vector<Vec3> centre;
+  std::vector<double> share;
+  double volume = 0.0;
+  for (const Block& cell : cells) {
+    centre.push_back(centre_of(spec, cell.shape));
+    share.push_back(spec.box ? 1.0 : geometry::mass_properties(cell.shape).volume);
+    volume += share.back();
+  }
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    Vec3 arm;  // from the centroid of the whole
+    for (std::size_t j = 0; j < cells.size(); ++j) arm += (share[j] / volume) * (centre[i] - centre[j]);
+    cells[i].velocity += cross(spec.angular_velocity, arm);
+  }
+}
+
+/// The cells of a block, which was cut before `rotate`: rotated, and moving as parts of one body.
+std::vector<Block> moving_cells(const BlockSpec& spec, const std::string& key, Block whole, Model& model) {
+  if (spec.halves)
+    set_halves(whole);
+  else
+    whole.cells = cells_by_edges(spec);
+  std::vector<Block> cells{std::move(whole)};
+  divide_units(cells, model.units);
+  try {
+    for (const Block& cell : cells) geometry::validate(cell.shape);
+  } catch (const geometry::ModelError& e) {
+    throw InputError(key + ".cells", std::string("would have faces that are not plane, or no volume (") + e.what() +
+                                         "); allowed: a shape whose opposite edges, cut into equal parts, give plane cuts, as a prism");
+  }
   if (spec.rotate) {
-    for (Block& half : halves) half.shape = turned(half.shape, *spec.rotate);
+    for (Block& cell : cells) cell.shape = turned(cell.shape, *spec.rotate);
   }
-  const Vec3 to_second = 0.5 * (centre_of(halves[1].shape) - centre_of(halves[0].shape));
-  if (!(spec.angular_velocity == Vec3{})) {
-    halves[0].velocity += cross(spec.angular_velocity, -to_second);
-    halves[1].velocity += cross(spec.angular_velocity, to_second);
-  }
-  return halves;
+  if (cells.size() > 1 && !(spec.angular_velocity == Vec3{})) spin(spec, cells);
+  return cells;
 }
 
 }  // namespace
@@ -143,7 +190,7 @@ SupportHistory support_history(const SupportMotion& motion, const std::string& k
 
 namespace {
 
-/// Adds one block, or its halves. \param first  blocks by their names so far
+/// Adds one block, or its cells. \param first  blocks by their names so far
 void add_free_block(const Case& c, std::size_t i, std::map<std::string, std::size_t>& first, Model& model) {
   const BlockSpec& spec = c.blocks[i];
   const std::string key = indexed_key("block", i, "");
@@ -168,16 +215,17 @@ void add_free_block(const Case& c, std::size_t i, std::map<std::string, std::siz
     model.support_motions.push_back(support_history(*spec.motion, key + ".motion.file"));
   }
   block.given = static_cast<std::int32_t>(i);
-  if (!spec.halves) {
+  if (!spec.halves && !spec.cells) {
     model.blocks.push_back(std::move(block));
     return;
   }
-  check_halves(spec, key);
-  for (Block& half : moving_halves(spec, block)) {
-    if (const auto [at, added] = first.emplace(half.name, i); !added) {
-      throw InputError(key + ".name", quoted(half.name) + ", its half, is already the name of " + indexed_key("block", at->second, ""));
-    }
-    model.blocks.push_back(std::move(half));
+  check_shape_of_cells(spec, key);
+  for (Block& cell : moving_cells(spec, key, std::move(block), model)) {
+    if (cell.name != spec.name)
+      if (const auto [at, added] = first.emplace(cell.name, i); !added)
+        throw InputError(key + ".name",
+                         quoted(cell.name) + ", a part of it, is already the name of " + indexed_key("block", at->second, ""));
+    model.blocks.push_back(std::move(cell));
   }
 }
 

@@ -40,6 +40,7 @@ std::vector<std::size_t> as_built(const std::vector<Block>& blocks) {
 
 void count_blocks(const Model& model, Census& result) {
   std::map<std::string, std::size_t> index;
+  std::vector<bool> counted(static_cast<std::size_t>(model.units), false);
   for (const std::size_t i : as_built(model.blocks)) {
     const Block& block = model.blocks[i];
     const std::string name = group_name(model, block);
@@ -48,7 +49,8 @@ void count_blocks(const Model& model, Census& result) {
     CensusGroup& group = result.groups[at->second];
     const double volume = model.assembly.elements[i].mass.volume;
     const double mass = volume * nth(model.materials, block.material).value.density;
-    ++(block.whole ? group.whole : group.cut);
+    if (block.unit < 0 || !counted[static_cast<std::size_t>(block.unit)]) ++(block.whole ? group.whole : group.cut);
+    if (block.unit >= 0) counted[static_cast<std::size_t>(block.unit)] = true;
     group.volume += volume;
     group.mass += mass;
     if (block.fixed) {
@@ -60,11 +62,38 @@ void count_blocks(const Model& model, Census& result) {
   }
 }
 
-/// Edge lengths [m] rounded to the micrometre, descending; zeros if the block is no box.
-std::array<double, 3> box_edges(const Block& block, double volume) {
-  const geometry::Box3 box = geometry::bounds(block.shape);
-  const Vec3 size = box.high - box.low;
-  if (block.shape.vertices.size() != 8 || std::abs(size.x * size.y * size.z / volume - 1.0) > 1e-6) return {};
+/// A block in one piece, or all cells of a unit.
+struct Piece {
+  const Block* block;  // of several cells, the first
+  geometry::Box3 box;
+  double volume = 0.0;  // m3
+};
+
+std::vector<Piece> pieces_of(const Model& model) {
+  std::vector<Piece> pieces;
+  std::vector<std::size_t> of_unit(static_cast<std::size_t>(model.units), model.blocks.size());
+  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
+    const Block& block = model.blocks[i];
+    const geometry::Box3 box = geometry::bounds(block.shape);
+    const double volume = model.assembly.elements[i].mass.volume;
+    std::size_t at = block.unit < 0 ? model.blocks.size() : nth(of_unit, block.unit);
+    if (at == model.blocks.size()) {
+      if (block.unit >= 0) nth(of_unit, block.unit) = pieces.size();
+      pieces.push_back({&block, box, volume});
+      continue;
+    }
+    Piece& p = pieces[at];
+    p.box.low = {std::min(p.box.low.x, box.low.x), std::min(p.box.low.y, box.low.y), std::min(p.box.low.z, box.low.z)};
+    p.box.high = {std::max(p.box.high.x, box.high.x), std::max(p.box.high.y, box.high.y), std::max(p.box.high.z, box.high.z)};
+    p.volume += volume;
+  }
+  return pieces;
+}
+
+/// Edge lengths [m] rounded to the micrometre, descending; zeros if it is no box.
+std::array<double, 3> box_edges(const Piece& piece) {
+  const Vec3 size = piece.box.high - piece.box.low;
+  if (piece.block->shape.vertices.size() != 8 || std::abs(size.x * size.y * size.z / piece.volume - 1.0) > 1e-6) return {};
   std::array edges{size.x, size.y, size.z};
   for (double& e : edges) e = std::round(e * 1e6) * 1e-6;
   std::sort(edges.begin(), edges.end(), std::greater<>());
@@ -74,19 +103,26 @@ std::array<double, 3> box_edges(const Block& block, double volume) {
 void write_bill(const Model& model, Census& result) {
   using Key = std::tuple<PartKind, std::int32_t, bool, std::array<double, 3>, std::int32_t, std::int32_t>;
   std::map<Key, BillLine> lines;
-  for (std::size_t i = 0; i < model.blocks.size(); ++i) {
-    const Block& block = model.blocks[i];
-    const double volume = model.assembly.elements[i].mass.volume;
-    const std::array<double, 3> edges = box_edges(block, volume);
+  for (const Piece& piece : pieces_of(model)) {
+    const Block& block = *piece.block;
+    const std::array<double, 3> edges = box_edges(piece);
     const bool box = edges[0] > 0.0, prism = !box && geometry::is_prism(block.shape);
     const std::int32_t corners = prism ? static_cast<std::int32_t>(block.shape.vertices.size() / 2) : 0;
     const std::int32_t faces = box || prism ? 0 : static_cast<std::int32_t>(block.shape.faces.size());
     const Key key{block.kind, block.material, !block.whole, {-edges[0], -edges[1], -edges[2]}, corners, faces};
     BillLine& line = lines.try_emplace(key, BillLine{block.kind, block.material, block.whole, edges, corners, faces, 0, 0.0}).first->second;
     ++line.count;
-    line.volume += volume;
+    line.volume += piece.volume;
   }
   for (const auto& [key, line] : lines) result.bill.push_back(line);
+}
+
+void count_cells(const Model& model, Census& result) {
+  const auto unit = [&](std::int32_t element) { return element == geometry::kBase ? -1 : nth(model.blocks, element).unit; };
+  result.units = model.units;
+  result.cells = std::ranges::count_if(model.blocks, [](const Block& b) { return b.unit >= 0; });
+  result.cell_joints = std::ranges::count_if(
+      model.assembly.joints, [&](const geometry::Joint& j) { return unit(j.element_a) >= 0 && unit(j.element_a) == unit(j.element_b); });
 }
 
 void count_segments(const geometry::Assembly& assembly, Census& result) {
@@ -135,6 +171,7 @@ Census census(const Model& model) {
   Census result;
   result.elements = static_cast<std::int64_t>(model.blocks.size());
   result.faces = static_cast<std::int64_t>(model.assembly.faces.size());
+  count_cells(model, result);
   count_blocks(model, result);
   write_bill(model, result);
   count_segments(model.assembly, result);

@@ -13,7 +13,7 @@
 /// Counts, masses and the step bound of a model, for `voussoir check`.
 namespace voussoir::cases {
 
-/// Blocks of one kind: a wall, all lintels, all roof beams, or all free blocks of a material.
+/// Blocks of one kind, a unit in cells as one: a wall, all lintels, all roof beams, or all free blocks of a material.
 struct CensusGroup {
   std::string name;
   std::int64_t whole = 0, cut = 0;
@@ -21,7 +21,7 @@ struct CensusGroup {
   double mass = 0.0;    // kg
 };
 
-/// Blocks of equal shape and material: one line of the bill.
+/// Blocks of equal shape and material, a unit in cells as one: one line of the bill.
 struct BillLine {
   PartKind kind = PartKind::block;
   std::int32_t material = 0;      // index into Model::materials
@@ -35,9 +35,10 @@ struct BillLine {
 
 struct Census {
   std::int64_t elements = 0, faces = 0;
-  std::int64_t joints = 0;          // of two elements
-  std::int64_t base_joints = 0;     // of an element and the base
-  std::int64_t merged_joints = 0;   // those of `joints` with one spring for both sides
+  std::int64_t units = 0, cells = 0, cell_joints = 0;  // units in cells, these cells, and joints between cells of one unit
+  std::int64_t joints = 0;                             // of two elements
+  std::int64_t base_joints = 0;                        // of an element and the base
+  std::int64_t merged_joints = 0;                      // those of `joints` with one spring for both sides
   std::int64_t joint_sides = 0;     // segment sides in all joints; a merged segment counts two, a segment against the base one
   std::int64_t free_segments = 0;   // segments in no joint
   double joint_area = 0.0;          // m2, including joints with the base

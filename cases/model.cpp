@@ -17,8 +17,8 @@
 #include "cases/rules/contact_rules.h"
 #include "cases/rules/joint_rules.h"
 #include "cases/rules/scatter.h"
+#include "cases/solids/cells.h"
 #include "cases/solids/ground.h"
-#include "cases/solids/halves.h"
 #include "cases/solids/origin.h"
 #include "cases/solids/stone_blocks.h"
 #include "cases/ties/ties.h"
@@ -66,8 +66,13 @@ void add_house(const Case& c, Model& model) {
   const bool on_fixed_block = std::any_of(c.blocks.begin(), c.blocks.end(), [](const BlockSpec& b) { return b.fixed; });
   if (!c.base && !on_fixed_block && c.stones.empty())
     throw InputError("base", "a house needs ground to stand on; add [base] with z = 0.0, or a fixed [[block]]");
+  check_cells(c.house->halves, c.house->cells, "house");
   model.blocks = build_house(*c.house, model.materials);
-  if (c.house->halves) halve_bricks(model.blocks);
+  if (c.house->halves) {
+    for (Block& block : model.blocks)
+      if (block.kind == PartKind::brick && block.whole) set_halves(block);
+  }
+  divide_units(model.blocks, model.units);
   number_along_plan(model.blocks, kCellLengths * (c.house->brick[0] + c.house->mortar));
   const double z = c.base ? c.base->z : 0.0;
   if (z == 0.0) return;
@@ -92,6 +97,8 @@ WallsPlan planned_walls(const Case& c, Model& model) {
   }
   Faults faults;
   WallsPlan plan;
+  for (std::size_t i = 0; i < c.walls.size(); ++i)
+    faults.attempt([&] { check_cells(false, c.walls[i].cells, indexed_key("wall", i, "")); });
   faults.attempt([&] { check_wall_materials(c.walls, spans_of(c), model.materials); });
   faults.attempt([&] { plan = plan_walls(c.walls, spans_of(c)); });
   const bool on_fixed_block = std::any_of(c.blocks.begin(), c.blocks.end(), [](const BlockSpec& b) { return b.fixed; });
@@ -106,6 +113,7 @@ WallsPlan planned_walls(const Case& c, Model& model) {
 void add_walls(const Case& c, const WallsPlan& plan, Model& model) {
   if (c.walls.empty()) return;
   std::vector<Block> blocks = blocks_of_walls(c.walls, spans_of(c), plan, model.materials);
+  divide_units(blocks, model.units);
   number_along_plan(blocks, kCellLengths * c.walls[0].brick[0]);
   for (Block& block : blocks) {
     for (Vec3& v : block.shape.vertices) v.z += c.base ? c.base->z : 0.0;

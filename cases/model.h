@@ -9,6 +9,7 @@
 #include "cases/forward.h"
 #include "cases/loads/support_history.h"
 #include "cases/solids/stones.h"
+#include "cases/tables/blocks.h"
 #include "cases/tables/joint_laws.h"
 #include "cases/tables/materials.h"
 #include "geometry/assembly.h"
@@ -52,11 +53,12 @@ struct Block {
   std::int32_t wall = -1;            // index into Case::walls; −1: not of [[wall]]
   std::int32_t span = -1;            // of a floor beam index into Case::floors, of a rafter into Case::roofs; −1: of neither
   std::int32_t vault = -1;           // index into Case::vaults; −1: not of one
-  std::int32_t unit = -1;            // shared by the two halves of a unit (of one house, or of Case::blocks); −1: in one piece
+  CellCounts cells{1, 1, 1};         // into which it will be divided, along the edges at its first vertex; of a hexahedron
+  std::int32_t unit = -1;            // number of the unit of which it is a cell; −1: in one piece
   std::int32_t ground = -1;          // index into Base::parts; −1: not ground
   std::int32_t set = -1;             // index into Case::stones; −1: not from a file
   std::int32_t stone = -1;           // number of the stone in the model, shared by all its pieces; −1: not from a file
-  std::string part_of;               // name of the stone, if this is a piece of it
+  std::string part_of;               // name of the stone or unit, if this is a piece or a cell of it
   std::vector<std::string> groups;   // of the file
   std::vector<std::int32_t> beds;    // faces that lie on a mortar bed (StonesSpec::gap)
 };
@@ -113,6 +115,7 @@ struct Model {
 
   Vec3 origin;  // m, in the axes of the case file: all coordinates of the model are relative to it (Case::origin)
   std::vector<Block> blocks;
+  std::int32_t units = 0;  // that are divided into cells
   std::vector<NamedMaterial> materials;
   std::vector<NamedLaw> laws;                   // laws[0] is "dry"
   std::vector<SupportHistory> support_motions;  // of fixed blocks, then of loads
@@ -130,7 +133,7 @@ struct Model {
 /// Builds blocks (houses first, then walls, numbered along their plan, then free blocks, then stones), assembles them and chooses the law
 /// of every joint. A house stands on the base, so its walls begin at the height of Case::base (0 without a base, on fixed blocks). Motions
 /// of supports given as files stay empty, with the name of the file; io reads them. \pre stones of files have been read
-/// (StonesSpec::stones) by io The law is the first that applies of materials.<name>.inside (pieces of one stone, halves of one unit), the
+/// (StonesSpec::stones) by io The law is the first that applies of materials.<name>.inside (pieces of one stone, cells of one unit), the
 /// house's own keys, stones.joint, joints.between, joints.default; between two beds of stones.gap it has mortar of that thickness. \param
 /// threads  number of threads; the model does not depend on it \throw InputError with the key at fault; faults of geometry are reported by
 /// the name or tag of the block.
@@ -140,7 +143,7 @@ Model build_model(const Case& c, int threads = 1);
 /// \pre the model has an element
 std::int32_t nearest_element(const Model& model, Vec3 point) noexcept;
 
-/// Everything with this name, each as its elements: a block (both halves of a divided one), a half of a block, a stone (all its pieces), a
+/// Everything with this name, each as its elements: a block (all cells of a divided one), a cell of a block, a stone (all its pieces), a
 /// piece of a stone, or all stones of a group. Empty if nothing has the name.
 std::vector<std::vector<std::int32_t>> parts_named(const Model& model, const std::string& name);
 

@@ -200,7 +200,8 @@ struct House {
   std::optional<Rubble> rubble;  // none: default values
   std::string material = "adobe", joint = "normal";
   std::optional<Leaves> leaves;
-  bool halves = false;  // whole bricks are two elements each; materials.<name>.inside is the law between the two
+  bool halves = false;                      // whole bricks are two cells each, cut at mid-length
+  std::optional<std::array<int, 3>> cells;  // of whole bricks; materials.<name>.inside is the law between them
   HouseWood wood;
   std::array<double, 2> origin{0.0, 0.0};  // m
   double turn = 0.0;                       // degrees about z: 0, 90, 180, 270

@@ -10,6 +10,7 @@
 #include "cases/house/house_parts.h"
 #include "cases/house/house_thickness.h"
 #include "cases/house/walls/arches.h"
+#include "cases/house/walls/brick_cells.h"
 #include "cases/house/walls/prism.h"
 #include "cases/house/walls/rubble.h"
 #include "cases/input_error.h"
@@ -141,6 +142,13 @@ void fill_behind_beams(const HousePlan& plan, const WallPlan& wall, int course, 
   }
 }
 
+/// Cells of a brick along x, y, z of the house.
+CellCounts cells_of(const House& house, const HousePlan& plan, const WallPlan& wall, const Laid& laid) {
+  const CellCounts n = cells_of_piece(*house.cells, cell_unit(plan, wall, laid.depth),
+                                      {metres(laid.along.length()), metres(laid.depth.length()), metres(laid.height.length())}, laid.whole);
+  return wall.along_x ? n : CellCounts{n[1], n[0], n[2]};
+}
+
 Block block_of(const House& house, const HousePlan& plan, const WallPlan& wall, const Laid& laid, const HouseParts& parts) {
   Block prototype;
   prototype.whole = laid.whole;
@@ -151,6 +159,7 @@ Block block_of(const House& house, const HousePlan& plan, const WallPlan& wall, 
     prototype.leaf = leaf_of(plan, wall, laid.depth);
     prototype.tag = wall_tag(house, wall);
     prototype.segment_size = segment_size_of(plan.brick_length, plan.brick_width, plan.brick_height);
+    if (house.cells) prototype.cells = cells_of(house, plan, wall, laid);
   } else {
     prototype.kind = PartKind::lintel;
     prototype.material = parts.timber;

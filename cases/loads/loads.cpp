@@ -18,10 +18,18 @@ namespace {
 constexpr double kSamePlace = 1e-9;  // m: a point this near to two parts is on the first
 constexpr double kVertical = 1e-6;   // share of the horizontal part in a force that counts as vertical
 
-/// The block with this name, or the block one of whose halves has it.
+/// Whether a cell of the block has this name.
+bool has_cell_named(const BlockSpec& b, const std::string& name) {
+  if (!name.starts_with(b.name + "/")) return false;
+  const int cells = b.cells ? (*b.cells)[0] * (*b.cells)[1] * (*b.cells)[2] : b.halves ? 2 : 1;
+  for (int i = 1; cells > 1 && i <= cells; ++i)
+    if (name == b.name + "/" + std::to_string(i)) return true;
+  return false;
+}
+
+/// The block with this name, or the block one of whose cells has it.
 const BlockSpec* block_named(const Case& c, const std::string& name) {
-  const auto found = std::ranges::find_if(
-      c.blocks, [&](const BlockSpec& b) { return b.name == name || (b.halves && (b.name + "/1" == name || b.name + "/2" == name)); });
+  const auto found = std::ranges::find_if(c.blocks, [&](const BlockSpec& b) { return b.name == name || has_cell_named(b, name); });
   return found == c.blocks.end() ? nullptr : &*found;
 }
 

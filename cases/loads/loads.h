@@ -28,7 +28,7 @@ struct LoadShare {
   Vec3 point;         // m, point of action of this share
 };
 
-/// The elements on which load `index` acts: a block, a stone, or each stone of a group, if free to move. A block in halves or a stone in
+/// The elements on which load `index` acts: a block, a stone, or each stone of a group, if free to move. A block in cells or a stone in
 /// pieces bears the load as a whole: at Load::at on the part that contains the point (the first of two), else shared by mass, each share at
 /// the centroid of its part, so that the resultant goes through the centroid of the whole.
 /// Without a name, the first element that the force meets from Load::at on.

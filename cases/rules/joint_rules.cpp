@@ -105,7 +105,7 @@ JointRules::JointRules(const Case& c, const Model& model) {
     if (material.value.inside)
       inside_[m] = law(*material.value.inside, key);
     else
-      faults.add({key, "is missing: units in halves (house.halves, block.halves) need the law between them"});
+      faults.add({key, "is missing: units in cells (house.cells, wall.cells, block.cells; halves) need the law between them"});
   }
   faults.raise();
 }
@@ -143,16 +143,14 @@ bool JointRules::fits(std::size_t rule, const Block& a, const Block* b) const no
   return between_[rule].materials == pair || between_[rule].materials == std::array{pair[1], pair[0]};
 }
 
-bool JointRules::are_halves(const Block& a, const Block* b) noexcept {
-  return b != nullptr && a.unit >= 0 && a.unit == b->unit && a.house == b->house;
-}
+bool JointRules::are_of_one_unit(const Block& a, const Block* b) noexcept { return b != nullptr && a.unit >= 0 && a.unit == b->unit; }
 
 bool JointRules::is_of_span(const Block& a, const Block* b) noexcept { return a.span >= 0 || (b != nullptr && b->span >= 0); }
 
 bool JointRules::is_in_house(const Block& a, const Block* b) noexcept { return a.house >= 0 && (b == nullptr || a.house == b->house); }
 
 std::int32_t JointRules::law(const Block& a, const Block* b) const noexcept {
-  if (are_halves(a, b)) return nth(inside_, a.material);
+  if (are_of_one_unit(a, b)) return nth(inside_, a.material);
   if (is_of_span(a, b)) return law_of_span(a, b);
   // Columns are fixed to the ground (paper 3.3).
   if (is_in_house(a, b)) return b != nullptr ? law_in_house(a, *b) : a.kind == PartKind::column ? within_member_ : masonry_;
@@ -179,7 +177,8 @@ std::vector<std::string> unused_joint_rules(const Case& c, const Model& model) {
   for (const geometry::Joint& joint : model.assembly.joints) {
     const Block& a = nth(model.blocks, joint.element_a);
     const Block* b = beyond(model, joint);
-    bool before = JointRules::is_in_house(a, b) || JointRules::are_halves(a, b) || JointRules::is_of_span(a, b) || is_of_stones(c, a, b);
+    bool before =
+        JointRules::is_in_house(a, b) || JointRules::are_of_one_unit(a, b) || JointRules::is_of_span(a, b) || is_of_stones(c, a, b);
     for (std::size_t i = 0; i < n; ++i) {
       if (!rules.fits(i, a, b)) continue;
       (before ? taken : used)[i] = true;
@@ -192,7 +191,8 @@ std::vector<std::string> unused_joint_rules(const Case& c, const Model& model) {
     const JointRule& rule = c.joints.between[i];
     words.push_back(indexed_key("joints.between", i, "") + " (" + rule.materials[0] + ", " + rule.materials[1] + ") applies to no joint: " +
                     (taken[i] ? std::string("wherever these touch, ") +
-                                    (!c.floors.empty() || !c.roofs.empty() ? "the keys of [[floor]] and [[roof]] (joint, within_member) or an earlier rule come"
+                                    (!c.floors.empty() || !c.roofs.empty()
+                                         ? "the keys of [[floor]] and [[roof]] (joint, within_member) or an earlier rule come"
                                      : c.house ? "the house's own keys (house.joint, house.wood.*, house.roof.*) or an earlier rule come"
                                      : c.stones.empty() ? "an earlier rule comes"
                                                         : "stones.joint or an earlier rule comes") +

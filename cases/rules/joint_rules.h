@@ -23,8 +23,8 @@ class JointRules {
   [[nodiscard]] std::int32_t law(const Block& a, const Block* b) const noexcept;
   /// Whether joints.between[rule] applies to the materials of the two blocks.
   [[nodiscard]] bool fits(std::size_t rule, const Block& a, const Block* b) const noexcept;
-  /// Whether the two blocks are the halves of one unit.
-  [[nodiscard]] static bool are_halves(const Block& a, const Block* b) noexcept;
+  /// Whether the two blocks are cells of one unit.
+  [[nodiscard]] static bool are_of_one_unit(const Block& a, const Block* b) noexcept;
   /// Whether one of the two is a beam or rafter between walls, which has separate keys for its joints.
   [[nodiscard]] static bool is_of_span(const Block& a, const Block* b) noexcept;
   /// Whether the joint belongs to a house, which has separate keys for its joints.
@@ -46,7 +46,7 @@ class JointRules {
   std::int32_t masonry_ = 0, within_member_ = 0, collar_ = 0, between_members_ = 0, timber_on_timber_ = 0, between_beams_ = 0,
                edge_beams_ = 0;                       // of the house
   std::array<std::int32_t, 2> edge_members_{-1, -1};  // the first and the last beam of a flat roof
-  std::vector<std::int32_t> inside_;                  // by material, between the halves of a unit; −1: none
+  std::vector<std::int32_t> inside_;                  // by material, between the cells of a unit; −1: none
   std::vector<std::int32_t> floors_;                  // between beams and walls, by House::floors
   std::vector<std::int32_t> made_from_;               // by material
   struct Span {

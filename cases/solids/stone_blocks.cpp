@@ -134,7 +134,7 @@ std::vector<std::vector<std::int32_t>> parts_named(const Model& model, const std
     const Block& b = model.blocks[i];
     if (b.house >= 0) continue;
     if (b.name == name) return {{static_cast<std::int32_t>(i)}};
-    if (b.given >= 0 && b.unit >= 0 && (b.name == name + "/1" || b.name == name + "/2")) block.push_back(static_cast<std::int32_t>(i));
+    if (b.unit >= 0 && !name.empty() && b.part_of == name) block.push_back(static_cast<std::int32_t>(i));
   }
   if (!block.empty()) return {block};
   std::vector<std::vector<std::int32_t>> found;
@@ -158,7 +158,8 @@ StoneLaws::StoneLaws(const Case& c, Model& model, std::int32_t default_law) {
     of_set_.push_back(joint ? find_law(model.laws, *joint, indexed_key("stones", k, "joint")) : -1);
   }
   of_material_.assign(model.materials.size(), -1);
-  const bool pieces = std::any_of(model.blocks.begin(), model.blocks.end(), [](const Block& b) { return !b.part_of.empty(); });
+  const bool pieces =
+      std::any_of(model.blocks.begin(), model.blocks.end(), [](const Block& b) { return b.stone >= 0 && !b.part_of.empty(); });
   for (std::size_t m = 0; m < model.materials.size(); ++m) {
     const auto& inside = model.materials[m].value.inside;
     if (inside) of_material_[m] = find_law(std::span(model.laws).first(given), *inside, "materials." + model.materials[m].name + ".inside");

@@ -12,6 +12,10 @@
 /// Tables [[block]] of the case file.
 namespace voussoir::cases {
 
+/// Number of cells of a unit along three edges: its length, its thickness, its height.
+using CellCounts = std::array<int, 3>;
+inline constexpr int kMostCells = 16;  // along one edge
+
 struct Rotation {
   Vec3 axis{0, 0, 1};
   double angle = 0.0;  // degrees
@@ -41,7 +45,8 @@ struct BlockSpec {
   std::vector<std::vector<int>> faces;
   std::vector<std::array<double, 2>> polygon;
   std::optional<std::array<double, 2>> extrude;
-  bool halves = false;  // two elements, cut at mid-length; materials.<name>.inside is the law between them
+  bool halves = false;              // a box in two cells, cut at mid-length
+  std::optional<CellCounts> cells;  // elements along length, thickness and height; materials.<name>.inside is the law between them
   bool fixed = false, free = false;
   Vec3 velocity, angular_velocity;  // m/s, rad/s, global axes
   std::optional<Rotation> rotate;

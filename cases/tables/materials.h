@@ -13,7 +13,7 @@ struct Material {
   double young = 0.0;    // Pa
   double poisson = 0.0;
   std::optional<std::string> inside{};  // law between the convex pieces of a stone that is not convex (none: pieces
-                                        // never separate), and between the halves of a unit
+                                        // never separate), and between the cells of a unit
 };
 
 }  // namespace voussoir::cases

@@ -43,6 +43,7 @@ struct WallSpec {
   double height = 0.0;                         // m
   std::array<double, 3> brick{0.2, 0.1, 0.1};  // m, length, width, height with mortar: adapted so that whole ones fill the wall
   WallBond bond = WallBond::english;
+  std::optional<std::array<int, 3>> cells;  // of whole bricks; materials.<name>.inside is the law between them
   std::string material;
   WallMeeting meeting = WallMeeting::toothed;
   double load = 0.0;  // kg per m of its length, carried by the course that ends at `height`

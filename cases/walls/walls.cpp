@@ -9,6 +9,7 @@
 #include "cases/house/house_thickness.h"
 #include "cases/house/house_wall.h"
 #include "cases/house/walls/arches.h"
+#include "cases/house/walls/brick_cells.h"
 #include "cases/names.h"
 #include "cases/walls/spans/wall_floors.h"
 #include "cases/walls/spans/wall_roofs.h"
@@ -48,6 +49,16 @@ WallMaterials materials_of(const WallSpec& wall, std::size_t index, std::span<co
   return found;
 }
 
+/// Cells of a brick over a quadrangle in plan, along the wall, across it, upright.
+CellCounts cells_of(const WallSpec& wall, const WallsPlan& plan, const Leg& leg, const PlanBrick& brick) {
+  const auto& [a, b, c, d] = brick.corners;
+  const double along = 0.5 * (norm(b - a) + norm(c - d)), area = 0.5 * norm(cross(c - a, d - b)), height = metres(brick.height.length());
+  const HousePlan& bricks = plan.bricks[leg.wall];
+  const Tick thickness = ticks(wall.thickness), widths = wall.bond == WallBond::through ? 1 : widths_through(bricks, thickness);
+  const double width = metres(thickness) / static_cast<double>(widths);
+  return cells_of_piece(*wall.cells, {metres(bricks.brick_length), width, height}, {along, area / along, height}, brick.whole);
+}
+
 void add_bricks(const WallSpec& wall, const WallsPlan& plan, const Leg& leg, std::size_t course, const WallMaterials& materials,
                 std::vector<Block>& blocks) {
   const Interval height = courses_of(plan, leg.wall)[course];
@@ -61,6 +72,7 @@ void add_bricks(const WallSpec& wall, const WallsPlan& plan, const Leg& leg, std
   for (const PlanBrick& b : lay_wall_course(wall, plan, leg, static_cast<int>(course))) {
     block.shape = b.shape ? *b.shape : upright(b.corners, b.height);
     block.whole = b.whole;
+    block.cells = wall.cells && !b.shape ? cells_of(wall, plan, leg, b) : CellCounts{1, 1, 1};
     blocks.push_back(block);
   }
 }

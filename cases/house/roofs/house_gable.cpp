@@ -9,6 +9,7 @@
 #include "cases/house/house_wall.h"
 #include "cases/house/roofs/house_pitched.h"
 #include "cases/house/roofs/house_vault.h"
+#include "cases/house/walls/brick_cells.h"
 #include "cases/house/walls/cut_bricks.h"
 #include "cases/names.h"
 
@@ -137,6 +138,13 @@ void add_course(const House& house, const HousePlan& plan, const WallPlan& wall,
       for (const geometry::Point2 p : piece.section) corners.push_back({p.s, p.t});
       prototype.whole = gable.is_whole(piece, wythe);
       prototype.shape = geometry::make_prism(corners, metres(x.low), metres(x.high));
+      prototype.cells = {1, 1, 1};
+      if (house.cells && geometry::as_rectangle(piece.section)) {
+        const auto [low, high] = geometry::bounds(prototype.shape);
+        const CellCounts n = cells_of_piece(*house.cells, cell_unit(plan, wall, wythe.depth),
+                                            {high.y - low.y, high.x - low.x, high.z - low.z}, prototype.whole);
+        prototype.cells = by_edges(prototype.shape, {0, 1, 0}, n);
+      }
       parts.blocks.push_back(prototype);
     }
   }

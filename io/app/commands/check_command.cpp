@@ -303,6 +303,9 @@ int check(const LoadedCase& c, const CheckOptions& o, int threads) {
   const cases::Census n = cases::census(model);
   std::printf("%s\n\n", c.value.title.c_str());
   std::printf("elements                 %s\n", format_count(n.elements).c_str());
+  if (n.units > 0)
+    std::printf("units in cells           %s, of %s cells with %s joints between them\n", format_count(n.units).c_str(),
+                format_count(n.cells).c_str(), format_count(n.cell_joints).c_str());
   std::printf("joints                   %s, and %s with the base; in %s of them both faces share their contact points\n",
               format_count(n.joints).c_str(), format_count(n.base_joints).c_str(), format_count(n.merged_joints).c_str());
   std::printf("contact points of joints %s, and %s of free faces\n", format_count(n.joint_sides).c_str(),

@@ -22,6 +22,7 @@
 #include "io/output/measures/capacity/capacity_file.h"
 #include "io/output/measures/chance.h"
 #include "io/output/measures/measures_file.h"
+#include "io/output/measures/members/cracked_units.h"
 #include "io/output/measures/members/member_words.h"
 #include "io/output/measures/members/peak_base_shear.h"
 #include "io/output/measures/place_in_run.h"
@@ -63,6 +64,8 @@ Json summary_of(const Hdf5File& run, const Measures& m, const std::optional<Capa
     const double share = peak.over(weight_of(run, norm(case_of_run(run).gravity.acceleration)));
     if (std::isfinite(share)) out["base_shear_over_weight"] = share;
   }
+  if (const CrackedUnits u = cracked_units(run); u.units > 0)
+    out["units_in_cells"] = {{"units", u.units}, {"cells", u.cells}, {"cracked", u.cracked}, {"through", u.through}};
   if (out.value("finished", 0) == 0 && out.contains("end_time")) {
     const cases::Case c = case_of_run(run);
     const double end = out["end_time"];
@@ -185,6 +188,13 @@ void print_modes(const Json& s) {
   line("joints opened", counts(s, "") + "; " + std::to_string(s["slipped"].get<std::int64_t>()) + " have slipped and hold");
 }
 
+/// Prints how many units in cells have cracked.
+void print_units(const Json& s) {
+  if (!s.contains("units_in_cells")) return;
+  const auto of = [&](const char* name) { return std::to_string(s["units_in_cells"][name].get<std::int64_t>()); };
+  line("units cracked", of("cracked") + " of " + of("units") + " in cells; in " + of("through") + " a joint between cells is all broken");
+}
+
 /// Prints the progress of the run, and why it ended early.
 void print_end(const Json& s) {
   if (!s.contains("place")) return line("run", "finished at " + text("%.3f s", s.value("end_time", 0.0)));
@@ -222,6 +232,7 @@ void print_table(const Json& s, const Measures& m, double begin, bool moves) {
   print_seats(m);
   print_penetration(m);
   print_modes(s);
+  print_units(s);
   if (s.contains("peak_base_shear")) {
     const std::string share = s.contains("base_shear_over_weight") ? text(", %.3f of the weight", s["base_shear_over_weight"]) : "";
     line_of_chance(m, "peak base shear", text("%.1f kN", 1e-3 * s["peak_base_shear"].get<double>()) + share);

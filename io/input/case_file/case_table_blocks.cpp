@@ -85,6 +85,8 @@ void check_block(const BlockSpec& s, const RuleCheck& check) {
   check_shape(s, check);
   if (s.motion && !s.fixed) check.fault("motion", "needs a fixed block (fixed = true)");
   if (s.fixed && s.free) check.fault("free", "does not go with fixed = true");
+  if (s.cells && s.halves) check.fault("cells", "does not go with halves = true, which is cells = [2, 1, 1]");
+  if (s.cells && s.fixed) check.fault("cells", "does not go with fixed = true: a fixed block cannot crack");
   if (s.fixed && s.velocity != Vec3{}) check.fault("velocity", "does not go with fixed = true; use [block.motion]");
   if (s.fixed && s.angular_velocity != Vec3{}) check.fault("angular_velocity", "does not go with fixed = true");
 }
@@ -233,7 +235,12 @@ Table<BlockSpec> block_table() {
        value<S>("extrude", &S::extrude, "m", any(), "the prism's [x0, x1]"),
        value<S>("halves", &S::halves, "", any(),
                 "a box that can crack: two elements name/1 and name/2, cut at mid-length (across the longer horizontal edge), with "
-                "the law materials.<name>.inside between them"),
+                "the law materials.<name>.inside between them; the same as cells = [2, 1, 1]"),
+       value<S>("cells", &S::cells, "", within(1.0, kMostCells),
+                "a block that can crack: its number of cells along its length, thickness and height, elements name/1, name/2, ... with "
+                "the law materials.<name>.inside between them. A box: along the longer horizontal edge, the other one, z; a polygon of "
+                "four corners: along its first edge, x, its second edge; eight vertices: along the edges from the first to the second, "
+                "the fourth, the fifth"),
        value<S>("fixed", &S::fixed, "", any(), "does not move, or only by [block.motion]"),
        value<S>("free", &S::free, "", any(), "may float; else touching nothing is an error"),
        value<S>("velocity", &S::velocity, "m/s", any().usually(usual::kSpeed), "at the start"),

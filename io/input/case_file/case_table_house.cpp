@@ -263,7 +263,11 @@ Table<House> house_table() {
        value<S>("material", &S::material, "", filled(), "of the bricks"),
        value<S>("joint", &S::joint, "", filled(), "joint law between bricks, and of bricks with the base"),
        value<S>("halves", &S::halves, "", any(),
-                "whole bricks can crack: each is two elements, cut at mid-length, with the law materials.<name>.inside between them"),
+                "whole bricks can crack: each is two elements, cut at mid-length, with the law materials.<name>.inside between them; "
+                "the same as cells = [2, 1, 1], but for cut bricks, which stay whole"),
+       value<S>("cells", &S::cells, "", within(1.0, kMostCells),
+                "bricks can crack: number of cells along the length, thickness and height of a whole one, with the law "
+                "materials.<name>.inside between them; cut bricks have cells nearest in size to these, bricks cut along a slope none"),
        table<S>("wood", &S::wood, wood_table()),
        value<S>("origin", &S::origin, "m", any().possibly(0.0, usual::kFarthest), "x and y of the outer corner"),
        choice<S, double S::*, double>("turn", &S::turn, "degrees", {{"0", 0.0}, {"90", 90.0}, {"180", 180.0}, {"270", 270.0}}, "about z"),
@@ -284,6 +288,8 @@ Table<House> house_table() {
       [](const S& s, const RuleCheck& check) {
         if (s.rubble && s.bond != Bond::rubble) check.fault("rubble", "needs bond = \"rubble\"");
         if (s.halves && s.bond == Bond::rubble) check.fault("halves", "does not go with bond = \"rubble\"");
+        if (s.cells && s.bond == Bond::rubble) check.fault("cells", "does not go with bond = \"rubble\", whose stones stay whole");
+        if (s.cells && s.halves) check.fault("cells", "does not go with halves = true, which is cells = [2, 1, 1] of whole bricks");
       }};
 }
 
@@ -312,6 +318,9 @@ Table<WallSpec> wall_table() {
            "bond", &S::bond, "",
            {{"english", WallBond::english}, {"running", WallBond::running}, {"header", WallBond::header}, {"through", WallBond::through}},
            "bond of the bricks, as house.bond; through: one block through the wall in running bond, the bond of walls that bend"),
+       value<S>("cells", &S::cells, "", within(1.0, kMostCells),
+                "bricks can crack: number of cells along the length, thickness and height of a whole one, with the law "
+                "materials.<name>.inside between them; cut bricks have cells nearest in size to these, bricks cut along a slope none"),
        required(value<S>("material", &S::material, "", filled(), "of the bricks; [joints] has the laws of their joints")),
        choice<S, WallMeeting S::*, WallMeeting>(
            "meeting", &S::meeting, "", {{"toothed", WallMeeting::toothed}, {"butt", WallMeeting::butt}},

@@ -89,8 +89,8 @@ Table<Material> material_table() {
            required(value<S>("young", &S::young, "Pa", above(0.0).usually(usual::kYoung), "Young's modulus")),
            required(value<S>("poisson", &S::poisson, "", from_below(0.0, 0.5).usually(usual::kPoisson), "Poisson's ratio")),
            value<S>("inside", &S::inside, "", filled(),
-                    "law between the convex pieces of a stone that is not convex, and between the halves of a unit (house.halves, "
-                    "block.halves): a name of joint_laws; none: pieces of a stone never part")},
+                    "law between the convex pieces of a stone that is not convex, and between the cells of a unit (house.cells, "
+                    "wall.cells, block.cells; halves): a name of joint_laws; none: pieces of a stone never part")},
           nullptr};
 }
 

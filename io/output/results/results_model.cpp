@@ -115,6 +115,9 @@ void add_elements(const cases::Model& model, Datasets& out) {
   out.push_back(dataset("/model/element/fixed", each<std::uint8_t>(model.blocks, &Block::fixed), 1, "1", "1: the element is fixed"));
   out.push_back(
       dataset("/model/element/house", each<std::int32_t>(model.blocks, &Block::house), 1, "1", "copy of the house; -1: a free block"));
+  if (model.units > 0)
+    out.push_back(dataset("/model/element/unit", each<std::int32_t>(model.blocks, &Block::unit), 1, "1",
+                          "unit of which the element is a cell; -1: the element is in one piece"));
   out.push_back(dataset("/model/element/first_vertex", first_vertex, 1, "1", "first of the element's rows of /model/vertex"));
   out.push_back(dataset("/model/element/first_face", first_face, 1, "1", "first of the element's rows of /model/face"));
 }

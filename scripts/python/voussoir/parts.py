@@ -953,8 +953,8 @@ class Material(Part):
     density, kg/m3: mass per volume; > 0, usually 200 to 12000, possible 0.1 to 1e5; needed
     young, Pa: Young's modulus; > 0, usually 1e6 to 5e11, possible 1 to 1e14; needed
     poisson: Poisson's ratio; in [0, 0.5), usually 0.01 to 0.49; needed
-    inside: law between the convex pieces of a stone that is not convex, and between the halves of a unit (house.halves, block.halves): a name of
-      joint_laws; none: pieces of a stone never part; not empty
+    inside: law between the convex pieces of a stone that is not convex, and between the cells of a unit (house.cells, wall.cells, block.cells;
+      halves): a name of joint_laws; none: pieces of a stone never part; not empty
     """
 
     _table: ClassVar[str] = "materials"
@@ -1272,7 +1272,10 @@ class House(Part):
       "english"
     material: of the bricks; not empty; default "adobe"
     joint: joint law between bricks, and of bricks with the base; not empty; default "normal"
-    halves: whole bricks can crack: each is two elements, cut at mid-length, with the law materials.<name>.inside between them; default False
+    halves: whole bricks can crack: each is two elements, cut at mid-length, with the law materials.<name>.inside between them; the same as cells =
+      [2, 1, 1], but for cut bricks, which stay whole; default False
+    cells, 3 values: bricks can crack: number of cells along the length, thickness and height of a whole one, with the law materials.<name>.inside
+      between them; cut bricks have cells nearest in size to these, bricks cut along a slope none; in [1, 16]
     origin, m, 2 values: x and y of the outer corner; at most 1e9 in magnitude; default [0.0, 0.0]
     turn, degrees: about z; default 0
     copies, 2 values: number of houses along x and y; in [1, 1000]; default [1, 1]
@@ -1305,6 +1308,7 @@ class House(Part):
     material: str | None = None
     joint: str | None = None
     halves: bool | None = None
+    cells: Sequence[int] | None = None
     origin: Sequence[float] | None = None
     turn: Literal[0, 90, 180, 270] | None = None
     copies: Sequence[int] | None = None
@@ -1344,6 +1348,8 @@ class Wall(Part):
       whole ones fill the wall; cut where that cannot be, to no less than a fifth; > 0, usually 0.02 to 3, possible 2e-5 to 3000; default [0.2, 0.1,
       0.1]
     bond: bond of the bricks, as house.bond; through: one block through the wall in running bond, the bond of walls that bend; default "english"
+    cells, 3 values: bricks can crack: number of cells along the length, thickness and height of a whole one, with the law materials.<name>.inside
+      between them; cut bricks have cells nearest in size to these, bricks cut along a slope none; in [1, 16]
     material: of the bricks; [joints] has the laws of their joints; not empty; needed
     meeting: where it meets walls before it in the case. toothed: either runs through in every second course; butt: the other does in all, as at an
       extension. Corners of one wall are toothed; default "toothed"
@@ -1368,6 +1374,7 @@ class Wall(Part):
     height: float
     brick: Sequence[float] | None = None
     bond: Literal["english", "running", "header", "through"] | None = None
+    cells: Sequence[int] | None = None
     material: str
     meeting: Literal["toothed", "butt"] | None = None
     load: float | None = None
@@ -1565,7 +1572,10 @@ class Block(Part):
     polygon, m: section of a prism along x: its corners [y, z]
     extrude, m, 2 values: the prism's [x0, x1]
     halves: a box that can crack: two elements name/1 and name/2, cut at mid-length (across the longer horizontal edge), with the law
-      materials.<name>.inside between them; default False
+      materials.<name>.inside between them; the same as cells = [2, 1, 1]; default False
+    cells, 3 values: a block that can crack: its number of cells along its length, thickness and height, elements name/1, name/2, ... with the law
+      materials.<name>.inside between them. A box: along the longer horizontal edge, the other one, z; a polygon of four corners: along its first
+      edge, x, its second edge; eight vertices: along the edges from the first to the second, the fourth, the fifth; in [1, 16]
     fixed: does not move, or only by [block.motion]; default False
     free: may float; else touching nothing is an error; default False
     velocity, m/s, 3 values: at the start; usually 1e-9 to 100, at most 1e5 in magnitude; default [0.0, 0.0, 0.0]
@@ -1586,6 +1596,7 @@ class Block(Part):
     polygon: Sequence[Sequence[float]] | None = None
     extrude: Sequence[float] | None = None
     halves: bool | None = None
+    cells: Sequence[int] | None = None
     fixed: bool | None = None
     free: bool | None = None
     velocity: Sequence[float] | None = None

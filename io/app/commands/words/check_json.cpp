@@ -38,19 +38,20 @@ Json parts(const cases::Census& n) {
 
 std::string check_json(const cases::Case& c, const cases::Model& model, const CheckFigures& figures) {
   const cases::Census& n = figures.census;
-  const Json out{{"title", c.title},
-                 {"elements", n.elements},
-                 {"joints", n.joints},
-                 {"base_joints", n.base_joints},
-                 {"volume", n.volume},
-                 {"mass", n.mass},
-                 {"step_bound", n.step_bound},
-                 {"step", figures.step},
-                 {"run_seconds", figures.run_seconds ? Json(*figures.run_seconds) : Json(nullptr)},
-                 {"parts", parts(n)},
-                 {"bill", bill(n, model)},
-                 {"faults", figures.faults},
-                 {"findings", figures.findings}};
+  Json out{{"title", c.title},
+           {"elements", n.elements},
+           {"joints", n.joints},
+           {"base_joints", n.base_joints},
+           {"volume", n.volume},
+           {"mass", n.mass},
+           {"step_bound", n.step_bound},
+           {"step", figures.step},
+           {"run_seconds", figures.run_seconds ? Json(*figures.run_seconds) : Json(nullptr)},
+           {"parts", parts(n)},
+           {"bill", bill(n, model)},
+           {"faults", figures.faults},
+           {"findings", figures.findings}};
+  if (n.units > 0) out["units_in_cells"] = {{"units", n.units}, {"cells", n.cells}, {"joints", n.cell_joints}};
   return out.dump(1, ' ', false, Json::error_handler_t::replace);
 }
 

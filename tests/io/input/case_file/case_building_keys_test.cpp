@@ -176,6 +176,14 @@ TEST_CASE("faults: parts of the base, arches and rubble say which keys go togeth
   faulty(front + "motion = {}\n", "base.part[0].motion", "says nothing; give one of: velocity (m/s); file; to (m), turn (degrees) or both");
   faulty("[house]\nrubble = { seed = 2 }\n", "house.rubble", "needs bond = \"rubble\"");
   faulty("[house]\nbond = \"rubble\"\nhalves = true\n", "house.halves", "does not go with bond = \"rubble\"");
+  faulty("[house]\nbond = \"rubble\"\ncells = [2, 1, 1]\n", "house.cells", "does not go with bond = \"rubble\", whose stones stay whole");
+  faulty("[house]\nhalves = true\ncells = [2, 1, 1]\n", "house.cells", "does not go with halves = true");
+  faulty("[house]\ncells = [2, 0, 1]\n", "house.cells[1] = 0", "must be in [1, 16]");
+  faulty("[house]\ncells = [2, 1]\n", "house.cells = [2, 1]", "has 2 values, wanted an array of 3, each an integer");
+  const std::string block = "[[block]]\nname = \"a\"\nmaterial = \"adobe\"\nbox = [[0, 0, 0], [1, 1, 1]]\n";
+  faulty(block + "cells = [17, 1, 1]\n", "block[0].cells[0] = 17", "must be in [1, 16]");
+  faulty(block + "cells = [2, 1, 1]\nhalves = true\n", "block[0].cells", "does not go with halves = true");
+  faulty(block + "cells = [2, 1, 1]\nfixed = true\n", "block[0].cells", "does not go with fixed = true");
   const std::string opening = "[[house.opening]]\nwall = \"rear\"\nfrom = 1.0\nwidth = 1.0\nheight = 1.0\n";
   faulty(opening + "arch = { rise = 0.1 }\n", "house.opening[0].arch.thickness", "is missing");
 }

@@ -120,6 +120,7 @@ TEST_CASE("case file: every key of walls is read") {
   CHECK(w.height == 2.75);
   CHECK(w.brick == std::array{0.25, 0.125, 0.08});
   CHECK(w.bond == cases::WallBond::running);
+  CHECK(w.cells == cases::CellCounts{2, 2, 1});
   CHECK(w.material == "adobe");
   CHECK(w.meeting == cases::WallMeeting::butt);
   CHECK(w.load == 350.0);

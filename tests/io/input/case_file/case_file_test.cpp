@@ -140,6 +140,7 @@ TEST_CASE("case file: every key of a house is read") {
   CHECK(house->bond == cases::Bond::running);
   CHECK(house->material == "brick");
   CHECK(house->joint == "lime");
+  CHECK(house->cells == cases::CellCounts{2, 1, 3});
   CHECK(house->wood.material == "old wood");
   CHECK(house->wood.within_member == "solid");
   CHECK(house->wood.between_members == "nailed");
@@ -183,6 +184,7 @@ TEST_CASE("case file: every key of blocks and loads is read") {
   REQUIRE(c.blocks.size() == 4);
   const cases::BlockSpec &box = c.blocks[0], &hexahedron = c.blocks[1], &prism = c.blocks[2];
   CHECK(box.name == "box");
+  CHECK(box.cells == cases::CellCounts{4, 2, 1});
   CHECK(box.material == "adobe");
   REQUIRE(box.box);
   CHECK((*box.box)[1] == Vec3{0.2, 0.1, 0.3});
