@@ -154,6 +154,7 @@ std::array<Vec3, 4> Layer::corners(const LegCut& low, const LegCut& high) const 
 void Layer::add(const Span& span, const std::vector<double>& bounds, std::size_t i, std::vector<PlanBrick>& bricks) const {
   const LegCut low = i == 0 ? span.low.cut : LegCut{bounds[i]}, high = i + 2 == bounds.size() ? span.high.cut : LegCut{bounds[i + 1]};
   bricks.push_back({corners(low, high), is_whole(low, high), course_, {}});
+  bricks.back().length = whole_length(0.5 * (low.at + high.at));
 }
 
 void Layer::add_cut(const Span& span, std::array<double, 2> ends, const CutBrick& brick, std::array<double, 2> height, double whole,
@@ -164,6 +165,7 @@ void Layer::add_cut(const Span& span, std::array<double, 2> ends, const CutBrick
   const bool is_cut = brick.area < (brick.high - brick.low) * (height[1] - height[0]) * (1.0 - 1e-9);
   if (is_cut) b.shape = low.slope == 0.0 && high.slope == 0.0 ? across(leg_, brick.section, low_, high_) : under(brick, b);
   b.whole = !is_cut && is_whole(low, high);
+  b.length = whole_length(0.5 * (low.at + high.at));
   bricks.push_back(std::move(b));
 }
 
@@ -180,8 +182,15 @@ geometry::Polyhedron Layer::under(const CutBrick& brick, const PlanBrick& plan) 
   return shape;
 }
 
+double Layer::whole_length(double s) const {
+  double longest = 0.0;
+  for (const Field& f : fields_)
+    if (s > f.low - kPlanTolerance && s < f.high + kPlanTolerance) longest = std::max(longest, unit_ * f.scale);
+  return longest > 0.0 ? longest : unit_;
+}
+
 bool Layer::is_whole(const LegCut& low, const LegCut& high) const {
-  if (low.slope != 0.0 || high.slope != 0.0) return false;
+  if (std::max(std::abs(low.slope), std::abs(high.slope)) * leg_.half > kPlanTolerance) return false;
   const double length = high.at - low.at;
   return std::ranges::any_of(fields_, [&](const Field& f) {
     return low.at > f.low - kPlanTolerance && high.at < f.high + kPlanTolerance && std::abs(length - unit_ * f.scale) < kPlanTolerance;

@@ -55,6 +55,8 @@ class Layer {
   /// The part of a brick with oblique ends under the top of its section.
   [[nodiscard]] geometry::Polyhedron under(const CutBrick& brick, const PlanBrick& plan) const;
   [[nodiscard]] bool is_whole(const LegCut& low, const LegCut& high) const;
+  /// Length [m] of a whole brick at s; where two fields meet, that of the longer one.
+  [[nodiscard]] double whole_length(double s) const;
 
   const Leg& leg_;
   const std::vector<Field>& fields_;

@@ -24,6 +24,7 @@ struct PlanBrick {
   Interval height;                            // above the base
   std::optional<geometry::Polyhedron> shape;  // of one that is cut along its top; none: an upright prism
   double share = 1.0;                         // of a whole one's section, if it is cut along its top
+  double length = 0.0;                        // m, of a whole one there, along the wall
 };
 
 /// A prism across a straight leg. \param section  along the leg and height [m], counter-clockwise \param from, to  range of d

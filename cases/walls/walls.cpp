@@ -56,7 +56,7 @@ CellCounts cells_of(const WallSpec& wall, const WallsPlan& plan, const Leg& leg,
   const HousePlan& bricks = plan.bricks[leg.wall];
   const Tick thickness = ticks(wall.thickness), widths = wall.bond == WallBond::through ? 1 : widths_through(bricks, thickness);
   const double width = metres(thickness) / static_cast<double>(widths);
-  return cells_of_piece(*wall.cells, {metres(bricks.brick_length), width, height}, {along, area / along, height}, brick.whole);
+  return cells_of_piece(*wall.cells, {brick.length, width, height}, {along, area / along, height}, brick.whole);
 }
 
 void add_bricks(const WallSpec& wall, const WallsPlan& plan, const Leg& leg, std::size_t course, const WallMaterials& materials,

@@ -12,16 +12,19 @@ namespace {
 
 constexpr std::array<std::size_t, 3> kEdgeEnds{1, 3, 4};  // vertices of a hexahedron that share an edge with its first
 
+constexpr double kHeader = 1.5;  // widths of a brick: pieces that lie deeper in the wall lie across it
+constexpr double kTie = 1e-6;    // of a cell: half bricks in three cells are half-way between one and two wherever their wall runs
+
 /// The nearest whole number of cells, halves up within round-off; at least one.
-int cells_in(int asked, double share) { return std::clamp(static_cast<int>(std::floor(asked * share + 0.5 + 1e-9)), 1, kMostCells); }
+int cells_in(int asked, double share) { return std::clamp(static_cast<int>(std::floor(asked * share + 0.5 + kTie)), 1, kMostCells); }
 
 }  // namespace
 
 CellCounts cells_of_piece(const CellCounts& asked, const std::array<double, 3>& unit, const std::array<double, 3>& piece, bool whole) {
-  const bool header = piece[1] > 1.5 * unit[1];
+  const bool header = piece[1] > kHeader * unit[1];
   if (whole) return header ? CellCounts{asked[1], asked[0], asked[2]} : asked;
   const int up = cells_in(asked[2], piece[2] / unit[2]);
-  if (header) return {cells_in(asked[1], piece[0] / unit[1]), cells_in(asked[0], piece[1] / (2.0 * unit[1])), up};
+  if (header) return {cells_in(asked[1], piece[0] / unit[0]), cells_in(asked[0], piece[1] / (2.0 * unit[1])), up};
   return {cells_in(asked[0], piece[0] / unit[0]), cells_in(asked[1], piece[1] / unit[1]), up};
 }
 
@@ -37,7 +40,9 @@ CellCounts by_edges(const geometry::Polyhedron& box, Vec3 along, const CellCount
 
 std::array<double, 3> cell_unit(const HousePlan& plan, const WallPlan& wall, Interval depth) {
   const Tick leaf = wall.leaf == 0 ? wall.thickness : depth.low < wall.leaf ? wall.leaf : wall.thickness - wall.leaf;
-  return {metres(plan.brick_length), metres(leaf) / static_cast<double>(widths_through(plan, leaf)), metres(plan.brick_height)};
+  const double width = metres(leaf) / static_cast<double>(widths_through(plan, leaf));
+  const bool header = metres(depth.length()) > kHeader * width;
+  return {metres(header ? plan.brick_width : plan.brick_length), width, metres(plan.brick_height)};
 }
 
 }  // namespace voussoir::cases

@@ -127,6 +127,21 @@ TEST_CASE("walls of many plans in cells: every unit is a grid, and mass and bill
   }
 }
 
+TEST_CASE("closed walls of stretched bricks: as many whole bricks, cells and joints wherever they stand") {
+  WallSpec ring =
+      testing::closed(testing::wall("ring", {{0.0, 0.0}, {1.424, 0.0}, {1.424, 1.427}, {0.0, 1.427}}, 0.229, 0.634, WallBond::through));
+  ring.line = WallLine::right;
+  const Case c = walls_in_cells({ring}, {3, 2, 1});
+  const Census straight = census(build_model(c));
+  for (const double angle : {0.3, 2.13}) {
+    const Census turned = census(build_model(testing::moved(c, angle, false)));
+    CHECK(turned.cells == straight.cells);
+    CHECK(turned.cell_joints == straight.cell_joints);
+    REQUIRE(turned.groups.size() == straight.groups.size());
+    for (std::size_t i = 0; i < straight.groups.size(); ++i) CHECK(turned.groups[i].whole == straight.groups[i].whole);
+  }
+}
+
 TEST_CASE("houses in cells: every unit is a grid in each bond, and halves are the cells [2, 1, 1] of whole bricks") {
   for (const Bond bond : {Bond::english, Bond::running, Bond::header, Bond::flemish}) {
     CAPTURE(static_cast<int>(bond));
