@@ -24,12 +24,17 @@ double density(const cases::Model& model, std::size_t element) {
   return nth(model.materials, model.blocks[element].material).value.density;
 }
 
-/// Which elements hold together: those of a timber member, and pieces of a stone whose joints never break.
+/// Which elements hold together: those of a timber member, pieces of a stone whose joints never break, and cells of a unit, which a limit
+/// analysis takes as unbreakable.
 geometry::DisjointSets held_together(const cases::Model& model) {
   geometry::DisjointSets sets(model.blocks.size());
   std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> of_member;  // by house and member
-  for (std::size_t e = 0; e < model.blocks.size(); ++e)
-    if (const cases::Block& b = model.blocks[e]; b.member >= 0) sets.join(of_member.try_emplace({b.house, b.member}, e).first->second, e);
+  std::map<std::int32_t, std::size_t> of_unit;
+  for (std::size_t e = 0; e < model.blocks.size(); ++e) {
+    const cases::Block& b = model.blocks[e];
+    if (b.member >= 0) sets.join(of_member.try_emplace({b.house, b.member}, e).first->second, e);
+    if (b.unit >= 0) sets.join(of_unit.try_emplace(b.unit, e).first->second, e);
+  }
   for (std::size_t j = 0; j < model.assembly.joints.size(); ++j) {
     const geometry::Joint& joint = model.assembly.joints[j];
     if (joint.element_b != geometry::kBase && nth(model.laws, model.joint_law[j]).never_breaks)
