@@ -89,6 +89,30 @@ TEST_CASE("the bits do not depend on the number of threads, through cracking, fa
   CHECK(std::any_of(s.world().patches.patch.begin(), s.world().patches.patch.end(), [](const auto& p) { return p.touching > 0; }));
 }
 
+TEST_CASE("the bits of a wall of bricks in cells do not depend on the number of threads, while bricks split") {
+  cases::Case c = small_wall(3, 5);
+  c.materials["adobe"].inside = "brick";
+  c.joint_laws["brick"] = c.joint_laws["mortar"];  // no stronger than the mortar
+  for (cases::BlockSpec& b : c.blocks) b.cells = cases::CellCounts{2, 1, 2};
+  const cases::Model m = cases::build_model(c);
+  const cases::GroundMotion g = strong_shaking();
+  std::vector<std::unique_ptr<Run>> runs;
+  for (const int threads : {1, 2, 3}) runs.push_back(std::make_unique<Run>(c, m, g, threads));
+  step_side_by_side(runs, 3000);
+  std::int64_t split = 0;  // segments between cells of one brick
+  solver::World& w = runs[0]->sim.world();
+  for (std::size_t j = 0; j < w.sides.joint.size(); ++j) {
+    if (w.sides.joint[j] < 0) continue;
+    const geometry::Joint& joint = m.assembly.joints[static_cast<std::size_t>(w.sides.joint[j])];
+    if (joint.element_b < 0) continue;
+    const std::int32_t unit = m.blocks[static_cast<std::size_t>(joint.element_a)].unit;
+    if (unit < 0 || unit != m.blocks[static_cast<std::size_t>(joint.element_b)].unit) continue;
+    const kernels::SegmentsView q = w.sides.segments(static_cast<std::int64_t>(j));
+    for (int i = 0; i < w.points.count[static_cast<std::size_t>(w.sides.set[j])]; ++i) split += kernels::holds(q.bond[i]) ? 0 : 1;
+  }
+  CHECK(split > 50);
+}
+
 TEST_CASE("the bits do not depend on threads that come and go, nor on who comes too late") {
   const cases::Case c = small_wall(4, 8);
   const cases::Model m = cases::build_model(c);

@@ -179,6 +179,19 @@ TEST_CASE("a run that is stopped and gone on with has the bits of one that is no
   }
 }
 
+TEST_CASE("a wall of bricks in cells that is stopped and gone on with has the same bits, while bricks split and crush") {
+  cases::Case c = everything();
+  c.materials["adobe"].inside = "brick";
+  c.joint_laws["brick"] = c.joint_laws["mortar"];
+  for (cases::BlockSpec& b : c.blocks)
+    if (!b.fixed && b.material == "adobe") b.cells = cases::CellCounts{2, 1, 2};
+  c.time.step = 1e-4;
+  const Outcome straight = run_with_stops(c, {}, {1}, {}, 0.45);
+  CHECK(straight.retired > 20);
+  CHECK(straight.crushed_in_joints > 0);
+  check_same(straight, run_with_stops(c, {700, 2500, 3300, 4100}, {2, 1}, {}, 0.45));
+}
+
 TEST_CASE("a run ends so long after the collapse as the case says, and is told of its last step, wherever it was stopped") {
   cases::Case c = everything();
   const auto collapse_of = [](const Outcome& o) {
