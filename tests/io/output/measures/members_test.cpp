@@ -4,7 +4,9 @@
 #include <limits>
 
 #include "geometry/nth.h"
+#include "io/input/files/hdf5_file.h"
 #include "io/output/measures/measures_file.h"
+#include "io/output/measures/members/cracked_units.h"
 #include "io/output/measures/members/member_words.h"
 #include "solver/run/reporter.h"
 #include "tests/io/output/measures/hut.h"
@@ -197,6 +199,41 @@ TEST_CASE("measures of ties and storeys stand in run.h5") {
   CHECK(file.read<double>("/summary/tie/peak_force") == std::vector{1e3, 5e3, 10.0});
   CHECK(file.read<double>("/summary/wall/storey").size() == m.walls.size());
   CHECK(file.shape("/measures/storey_drift") == Shape{1, m.walls.size()});
+}
+
+TEST_CASE("units in cells that have cracked are counted, and those with a cut that is all broken") {
+  std::string text = kHut;
+  text.replace(text.find("[house]\n"), 8, "[house]\ncells = [2, 1, 2]\n")
+      .replace(text.find("poisson = 0.25"), 14, "poisson = 0.25\ninside = \"normal\"");
+  Hut hut(text);
+  hut.frame(0.0, stays);
+  const cases::Model& m = hut.model();
+  const auto unit = [&](std::int32_t e) { return e < 0 ? -1 : nth(m.blocks, e).unit; };
+  std::vector<std::size_t> within, mortar;  // joints between cells of the units 3 and 5; of unit 7 with others
+  for (std::size_t j = 0; j < m.assembly.joints.size(); ++j) {
+    const std::int32_t a = unit(m.assembly.joints[j].element_a), b = unit(m.assembly.joints[j].element_b);
+    if (a == b && (a == 3 || a == 5)) within.push_back(j);
+    if (a != b && a == 7) mortar.push_back(j);
+  }
+  REQUIRE(within.size() > 2);
+  REQUIRE(!mortar.empty());
+  hut.crack_whole_joint(0.1, mortar[0]);
+  for (const std::size_t j : within) {
+    const geometry::Joint& joint = m.assembly.joints[j];
+    const double share = unit(joint.element_a) == 3 ? 1.0 : 0.4;
+    const solver::CrackRow row{.time = 0.2,
+                               .joint = static_cast<std::int32_t>(j),
+                               .element_a = joint.element_b,
+                               .element_b = joint.element_a,
+                               .area = share * joint.area};
+    hut.results().cracks(std::array{row});
+  }
+  hut.results().finish();
+  const CrackedUnits u = cracked_units(Hdf5File::open(hut.file()));
+  CHECK(u.units == m.units);
+  CHECK(u.cells == std::ranges::count_if(m.blocks, [](const cases::Block& b) { return b.unit >= 0; }));
+  CHECK(u.cracked == 2);
+  CHECK(u.through == 1);
 }
 
 }  // namespace voussoir::io
