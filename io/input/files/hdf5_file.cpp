@@ -186,6 +186,13 @@ void Hdf5File::make_group(const std::string& name) {
   const Handle group = doing.own(H5Gcreate2(handle_, name.c_str(), link_properties(doing), H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
 }
 
+void Hdf5File::copy_group(const Hdf5File& from, const std::string& name) {
+  const Doing reading{from.path_, "read", name};
+  const herr_t done = H5Ocopy(from.handle_, name.c_str(), handle_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT);
+  reading.check_reads();
+  Doing{path_, "write", name}.check(done);
+}
+
 bool Hdf5File::exists(const std::string& name) const {
   // Every group of the path is tested, as HDF5 requires.
   for (std::size_t end = name.find('/', 1);; end = name.find('/', end + 1)) {

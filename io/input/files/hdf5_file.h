@@ -130,6 +130,8 @@ class Hdf5File {
   [[nodiscard]] std::vector<std::string> sources() const;
 
   void make_group(const std::string& name);
+  /// Copies a group with all that is in it, under the same name. \throw FileError
+  void copy_group(const Hdf5File& from, const std::string& name);
   [[nodiscard]] bool exists(const std::string& name) const;
   /// Paths of all datasets, in alphabetical order. \throw FileError for links (soft ones, or to other files), objects with two names, among
   /// them cycles, objects of other kinds, and values in other files

@@ -40,10 +40,8 @@ ResultsWriter::ResultsWriter(std::string folder, const cases::Model& model, std:
       groups_(cases::tie_groups(model).size()),
       loads_(model.load_history.size()),
       schema_(row_schema(history_names, model.blocks.size(), options.cuts, ties_.size(), groups_.size(), model.load_history.size())),
-      model_(model_datasets(model)),
       provenance_(std::move(provenance)),
       options_(options) {
-  model_.insert(model_.end(), options_.motion.begin(), options_.motion.end());
   for (std::size_t t = 0; t < kRowTables; ++t) buffers_[t] = RowBuffer(schema_[t]);
   if (options_.earlier)
     continue_earlier();
@@ -52,7 +50,7 @@ ResultsWriter::ResultsWriter(std::string folder, const cases::Model& model, std:
   std::error_code error;
   std::filesystem::create_directory(folder_ + "/parts", error);
   if (error) throw FileError(folder_ + "/parts", "cannot make the folder: " + error.message());
-  write_run(false);
+  write_run(false, &model);
   // Only now run.h5 no longer refers to the dropped parts.
   remove_parts(folder_, parts_);
   std::filesystem::create_directory(folder_ + "/parts", error);
@@ -328,7 +326,7 @@ bool ResultsWriter::finish() {
   return true;
 }
 
-void ResultsWriter::write_facts(Hdf5File& file, bool merged) const {
+void ResultsWriter::write_facts(Hdf5File& file, bool merged, const cases::Model* model) const {
   file.set_attribute("/", "parts", static_cast<std::int64_t>(merged ? 0 : parts_.size()));
   file.make_group("/case");
   file.set_attribute("/case", "toml", case_toml_);
@@ -341,12 +339,14 @@ void ResultsWriter::write_facts(Hdf5File& file, bool merged) const {
   if (drive_) write_drive(file, *drive_, control_);
   if (measures_) write_measures(file, *measures_);
   if (capacity_) write_capacity(file, *capacity_);
-  write_datasets(file, model_);
+  model != nullptr ? write_model(file, *model) : file.copy_group(Hdf5File::open(folder_ + "/run.h5"), "/model");
+  write_datasets(file, options_.motion);
 }
 
-void ResultsWriter::write_run(bool merged) {
+/// \param model  of the first run.h5; nullptr: that of the run.h5 which is there
+void ResultsWriter::write_run(bool merged, const cases::Model* model) {
   write_file(folder_ + "/run.h5", [&](Hdf5File& file) {
-    write_facts(file, merged);
+    write_facts(file, merged, model);
     merged ? copy_rows(file, folder_, schema_, parts_) : link_rows(file, schema_, parts_);
   });
 }

@@ -46,13 +46,14 @@ void write_drive(Hdf5File& file, const solver::Drive& d, std::optional<std::int3
 
 class ResultsWriter final : public solver::Recorder {
  public:
-  /// Writes run.h5 with the model and no rows, so that readers find it from the start.
+  /// Writes run.h5 with the model and no rows, so that readers find it from the start. Each later run.h5 takes the model from the one before
+  /// it, which must stay there: the writer keeps nothing of `model`.
   ///
   /// \param folder  of the run, existing (see RunFolder)
   /// \param case_toml  the resolved case
   /// \param history_names  one for each sample of history(), in order
   /// \throw FileError if the folder has results already (and `earlier` is absent) or is not writable
-  /// \throw std::invalid_argument for a bad history name (see row_schema) or an element that is no cell (see model_datasets)
+  /// \throw std::invalid_argument for a bad history name (see row_schema) or a model that does not fit together (see write_model)
   ResultsWriter(std::string folder, const cases::Model& model, std::string case_toml, std::span<const std::string> history_names,
                 Provenance provenance, const ResultsOptions& options = {});
   ResultsWriter(const ResultsWriter&) = delete;
@@ -119,10 +120,10 @@ class ResultsWriter final : public solver::Recorder {
   void continue_earlier();
   void write_if_due();
   void write_buffers();
-  void write_run(bool merged);
+  void write_run(bool merged, const cases::Model* model = nullptr);
   void remove_replaced() noexcept;
   void merge_if_many();
-  void write_facts(Hdf5File& file, bool merged) const;
+  void write_facts(Hdf5File& file, bool merged, const cases::Model* model) const;
 
   std::string folder_, case_toml_;
   std::size_t elements_, histories_;
@@ -130,7 +131,6 @@ class ResultsWriter final : public solver::Recorder {
   std::vector<solver::TieGroupSample> groups_;  // likewise
   std::vector<solver::LoadSample> loads_;       // likewise
   RowSchema schema_;
-  std::vector<StaticDataset> model_;
   Provenance provenance_;
   ResultsOptions options_;
   std::array<RowBuffer, kRowTables> buffers_;

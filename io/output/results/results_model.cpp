@@ -33,14 +33,17 @@ StaticDataset dataset(std::string name, const std::vector<T>& values, std::uint6
   return d;
 }
 
-StaticDataset texts(const char* name, std::vector<std::string> values, const char* description) {
-  StaticDataset d;
-  d.name = name;
-  d.shape = {values.size()};
-  d.texts = std::move(values);
-  d.is_text = true;
-  d.note = {"1", description};
-  return d;
+/// Writes a dataset at once, of which no copy is made.
+template <class T>
+void put(Hdf5File& file, const std::string& name, const std::vector<T>& values, std::uint64_t width, const char* unit,
+         const std::string& description) {
+  const Shape shape = width == 1 ? Shape{values.size()} : Shape{values.size() / width, width};
+  const std::size_t row = values.size() * sizeof(T) / std::max<std::size_t>(1, shape[0]);
+  file.write_dataset(name, Hdf5TypeOf<T>::value, shape, values.data(), checked_layout(row), {unit, description});
+}
+
+void put_texts(Hdf5File& file, const char* name, const std::vector<std::string>& values, const char* description) {
+  file.write_strings(name, values, {"1", description});
 }
 
 void append(std::vector<double>& to, Vec3 v) { to.insert(to.end(), {v.x, v.y, v.z}); }
@@ -84,7 +87,7 @@ std::string numbered_kinds() {
   return text;
 }
 
-void add_elements(const cases::Model& model, Datasets& out) {
+void write_elements(const cases::Model& model, Hdf5File& file) {
   using cases::Block;
   std::vector<double> mass, inertia, position, segment;
   std::vector<std::int32_t> first_vertex, first_face;
@@ -103,37 +106,41 @@ void add_elements(const cases::Model& model, Datasets& out) {
     first_face.push_back(e.first_face);
     vertex += static_cast<std::int32_t>(b.shape.vertices.size());
   }
-  out.push_back(dataset("/model/element/material", each<std::int32_t>(model.blocks, &Block::material), 1, "1", "row of /model/material"));
-  out.push_back(texts("/model/element/tag", std::move(tags), "which part of the building the element is, or its name"));
-  out.push_back(dataset("/model/element/kind", each<std::uint8_t>(model.blocks, &Block::kind), 1, "1",
-                        ("what the element is in a house: " + numbered_kinds()).c_str()));
-  out.push_back(dataset("/model/element/mass", mass, 1, "kg", "mass"));
-  out.push_back(dataset("/model/element/inertia", inertia, 3, "kg m2", "principal moments of inertia about the centroid, ascending"));
-  out.push_back(dataset("/model/element/position0", position, 3, "m", "centroid in the reference configuration; global axes"));
-  out.push_back(
-      dataset("/model/element/segment_size", segment, 1, "m", "longest edge of the segments that the element's faces are cut into"));
-  out.push_back(dataset("/model/element/fixed", each<std::uint8_t>(model.blocks, &Block::fixed), 1, "1", "1: the element is fixed"));
-  out.push_back(
-      dataset("/model/element/house", each<std::int32_t>(model.blocks, &Block::house), 1, "1", "copy of the house; -1: a free block"));
+  put(file, "/model/element/material", each<std::int32_t>(model.blocks, &Block::material), 1, "1", "row of /model/material");
+  put_texts(file, "/model/element/tag", tags, "which part of the building the element is, or its name");
+  put(file, "/model/element/kind", each<std::uint8_t>(model.blocks, &Block::kind), 1, "1",
+      "what the element is in a house: " + numbered_kinds());
+  put(file, "/model/element/mass", mass, 1, "kg", "mass");
+  put(file, "/model/element/inertia", inertia, 3, "kg m2", "principal moments of inertia about the centroid, ascending");
+  put(file, "/model/element/position0", position, 3, "m", "centroid in the reference configuration; global axes");
+  put(file, "/model/element/segment_size", segment, 1, "m", "longest edge of the segments that the element's faces are cut into");
+  put(file, "/model/element/fixed", each<std::uint8_t>(model.blocks, &Block::fixed), 1, "1", "1: the element is fixed");
+  put(file, "/model/element/house", each<std::int32_t>(model.blocks, &Block::house), 1, "1", "copy of the house; -1: a free block");
   if (model.units > 0)
-    out.push_back(dataset("/model/element/unit", each<std::int32_t>(model.blocks, &Block::unit), 1, "1",
-                          "unit of which the element is a cell; -1: the element is in one piece"));
-  out.push_back(dataset("/model/element/first_vertex", first_vertex, 1, "1", "first of the element's rows of /model/vertex"));
-  out.push_back(dataset("/model/element/first_face", first_face, 1, "1", "first of the element's rows of /model/face"));
+    put(file, "/model/element/unit", each<std::int32_t>(model.blocks, &Block::unit), 1, "1",
+        "unit of which the element is a cell; -1: the element is in one piece");
+  put(file, "/model/element/first_vertex", first_vertex, 1, "1", "first of the element's rows of /model/vertex");
+  put(file, "/model/element/first_face", first_face, 1, "1", "first of the element's rows of /model/face");
 }
 
-void add_shapes(const cases::Model& model, Datasets& out) {
+void write_vertices(const cases::Model& model, Hdf5File& file) {
+  std::size_t all = 0;
+  for (const cases::Block& b : model.blocks) all += b.shape.vertices.size();
   std::vector<double> vertices;
+  vertices.reserve(3 * all);
   for (const cases::Block& b : model.blocks)
     for (const Vec3 v : b.shape.vertices) append(vertices, v);
-  const Cells cells = cells_of(model);
-  out.push_back(dataset("/model/vertex", vertices, 3, "m", "vertices of all elements in the reference configuration; global axes"));
-  out.push_back(dataset("/model/cells", cells.corners, 8, "1", "corners of cells in VTK's order, rows of /model/vertex; -1: none"));
-  out.push_back(dataset("/model/cell_type", cells.type, 1, "1", "VTK's cell type: 10 tetrahedron, 12 hexahedron, 13 wedge"));
-  out.push_back(dataset("/model/cell_element", cells.element, 1, "1", "element of the cell"));
+  put(file, "/model/vertex", vertices, 3, "m", "vertices of all elements in the reference configuration; global axes");
 }
 
-void add_faces(const cases::Model& model, Datasets& out) {
+void write_cells(const cases::Model& model, Hdf5File& file) {
+  const Cells cells = cells_of(model);
+  put(file, "/model/cells", cells.corners, 8, "1", "corners of cells in VTK's order, rows of /model/vertex; -1: none");
+  put(file, "/model/cell_type", cells.type, 1, "1", "VTK's cell type: 10 tetrahedron, 12 hexahedron, 13 wedge");
+  put(file, "/model/cell_element", cells.element, 1, "1", "element of the cell");
+}
+
+void write_faces(const cases::Model& model, Hdf5File& file) {
   using geometry::Face;
   const auto& faces = model.assembly.faces;
   std::vector<std::int32_t> element(faces.size());
@@ -141,10 +148,9 @@ void add_faces(const cases::Model& model, Datasets& out) {
     const geometry::Element& e = model.assembly.elements[i];
     for (std::int32_t f = 0; f < e.face_count; ++f) nth(element, e.first_face + f) = static_cast<std::int32_t>(i);
   }
-  out.push_back(dataset("/model/face/element", element, 1, "1", "element of the face"));
-  out.push_back(
-      dataset("/model/face/normal", each_vector(faces, &Face::normal), 3, "1", "outward unit normal in the reference configuration"));
-  out.push_back(dataset("/model/face/distance", each<double>(faces, &Face::distance), 1, "m", "from the element's centroid to the face"));
+  put(file, "/model/face/element", element, 1, "1", "element of the face");
+  put(file, "/model/face/normal", each_vector(faces, &Face::normal), 3, "1", "outward unit normal in the reference configuration");
+  put(file, "/model/face/distance", each<double>(faces, &Face::distance), 1, "m", "from the element's centroid to the face");
   std::vector<std::int32_t> first_corner, corners;
   std::int32_t vertex = 0;
   for (const cases::Block& b : model.blocks) {
@@ -154,38 +160,37 @@ void add_faces(const cases::Model& model, Datasets& out) {
     }
     vertex += static_cast<std::int32_t>(b.shape.vertices.size());
   }
-  out.push_back(dataset("/model/face/first_corner", first_corner, 1, "1", "first of the face's entries of /model/face/corners"));
-  out.push_back(dataset("/model/face/corners", corners, 1, "1",
-                        "rows of /model/vertex, face by face, counter-clockwise seen from outside; a face's end where the next begins"));
-  out.push_back(dataset("/model/face/area", each<double>(faces, &Face::area), 1, "m2", "area of the face"));
+  put(file, "/model/face/first_corner", first_corner, 1, "1", "first of the face's entries of /model/face/corners");
+  put(file, "/model/face/corners", corners, 1, "1",
+      "rows of /model/vertex, face by face, counter-clockwise seen from outside; a face's end where the next begins");
+  put(file, "/model/face/area", each<double>(faces, &Face::area), 1, "m2", "area of the face");
 }
 
-void add_joints(const cases::Model& model, Datasets& out) {
+void write_joints(const cases::Model& model, Hdf5File& file) {
   using geometry::Joint;
   const auto& joints = model.assembly.joints;
   const auto add = [&](const char* name, auto member, const char* description) {
-    out.push_back(dataset(name, each<std::int32_t>(joints, member), 1, "1", description));
+    put(file, name, each<std::int32_t>(joints, member), 1, "1", description);
   };
   add("/model/joint/element_a", &Joint::element_a, "element whose face carries the joint's frame");
   add("/model/joint/element_b", &Joint::element_b, "the other element; -1: the base");
   add("/model/joint/face_a", &Joint::face_a, "face of element_a, counted from its first");
   add("/model/joint/face_b", &Joint::face_b, "face of element_b, counted from its first; -1: the base");
-  out.push_back(dataset("/model/joint/law", model.joint_law, 1, "1", "row of /model/law"));
-  out.push_back(dataset("/model/joint/area", each<double>(joints, &Joint::area), 1, "m2", "area that the two faces share"));
+  put(file, "/model/joint/law", model.joint_law, 1, "1", "row of /model/law");
+  put(file, "/model/joint/area", each<double>(joints, &Joint::area), 1, "m2", "area that the two faces share");
   const auto centre = [](const Joint& j) { return j.frame.centre; };
   const auto normal = [](const Joint& j) { return j.frame.normal; };
-  out.push_back(dataset("/model/joint/centre", each_vector(joints, centre), 3, "m", "centre of the joint in the reference configuration"));
-  out.push_back(
-      dataset("/model/joint/normal", each_vector(joints, normal), 3, "1", "unit normal in the reference configuration, out of element_a"));
+  put(file, "/model/joint/centre", each_vector(joints, centre), 3, "m", "centre of the joint in the reference configuration");
+  put(file, "/model/joint/normal", each_vector(joints, normal), 3, "1", "unit normal in the reference configuration, out of element_a");
 }
 
-void add_materials(const cases::Model& model, Datasets& out) {
+void write_materials(const cases::Model& model, Hdf5File& file) {
   std::vector<std::string> names;
   for (const auto& m : model.materials) names.push_back(m.name);
-  out.push_back(texts("/model/material/name", std::move(names), "name of the material"));
+  put_texts(file, "/model/material/name", names, "name of the material");
   const auto material = [&](const char* name, double cases::Material::*member, const char* unit, const char* description) {
     const auto get = [member](const cases::NamedMaterial& m) { return m.value.*member; };
-    out.push_back(dataset(name, each<double>(model.materials, get), 1, unit, description));
+    put(file, name, each<double>(model.materials, get), 1, unit, description);
   };
   material("/model/material/density", &cases::Material::density, "kg/m3", "density");
   material("/model/material/young", &cases::Material::young, "Pa", "Young's modulus");
@@ -193,10 +198,10 @@ void add_materials(const cases::Model& model, Datasets& out) {
 
   std::vector<std::string> laws;
   for (const auto& l : model.laws) laws.push_back(l.name);
-  out.push_back(texts("/model/law/name", std::move(laws), "name of the joint law; dry: no bond"));
+  put_texts(file, "/model/law/name", laws, "name of the joint law; dry: no bond");
   const auto law = [&](const char* name, double cases::JointLaw::*member, const char* unit, const char* description) {
     const auto get = [member](const cases::NamedLaw& l) { return l.value.*member; };
-    out.push_back(dataset(name, each<double>(model.laws, get), 1, unit, description));
+    put(file, name, each<double>(model.laws, get), 1, unit, description);
   };
   law("/model/law/tension", &cases::JointLaw::tension, "Pa", "tensile strength");
   law("/model/law/cohesion", &cases::JointLaw::cohesion, "Pa", "cohesion");
@@ -208,7 +213,7 @@ void add_materials(const cases::Model& model, Datasets& out) {
   if (std::ranges::none_of(model.laws, [](const cases::NamedLaw& l) { return l.value.normal_stiffness.has_value(); })) return;
   const auto own = [&](const char* name, std::optional<double> cases::JointLaw::*member, const char* unit, const char* description) {
     const auto get = [member](const cases::NamedLaw& l) { return (l.value.*member).value_or(0.0); };
-    out.push_back(dataset(name, each<double>(model.laws, get), 1, unit, description));
+    put(file, name, each<double>(model.laws, get), 1, unit, description);
   };
   own("/model/law/normal_stiffness", &cases::JointLaw::normal_stiffness, "Pa/m", "of the joint alone; 0: none of its own");
   own("/model/law/shear_stiffness", &cases::JointLaw::shear_stiffness, "Pa/m", "of the joint alone, along it; 0: none of its own");
@@ -227,9 +232,9 @@ class BarEnds {
       elements_.push_back(std::ranges::max_element(end, {}, &cases::TieHold::share)->element);
     }
   }
-  void put(const std::string& name, const std::string& of, Datasets& out) const {
-    out.push_back(dataset(name + "_ends", ends_, 6, "m", "where each " + of + " begins and ends at the start: x, y, z of both ends"));
-    out.push_back(dataset(name + "_element", elements_, 2, "1", "what holds most of each end: an element, or -1, the base"));
+  void write(const std::string& name, const std::string& of, Hdf5File& file) const {
+    put(file, name + "_ends", ends_, 6, "m", "where each " + of + " begins and ends at the start: x, y, z of both ends");
+    put(file, name + "_element", elements_, 2, "1", "what holds most of each end: an element, or -1, the base");
   }
 
  private:
@@ -240,7 +245,7 @@ class BarEnds {
 double or_nan(double limit) { return std::isfinite(limit) ? limit : std::numeric_limits<double>::quiet_NaN(); }
 
 /// Adds separate ties, not those of meshes; nothing for a model without ties.
-void add_ties(const cases::Model& m, Datasets& out) {
+void write_ties(const cases::Model& m, Hdf5File& file) {
   std::vector<std::string> names;
   std::vector<double> strengths;
   BarEnds ends;
@@ -251,13 +256,13 @@ void add_ties(const cases::Model& m, Datasets& out) {
     ends.add(bar);
   }
   if (names.empty()) return;
-  out.push_back(texts("/model/tie", std::move(names), "names of the ties"));
-  ends.put("/model/tie", "tie", out);
-  out.push_back(dataset("/model/tie_strength", strengths, 1, "N", "force at which each tie yields; NaN: it is elastic"));
+  put_texts(file, "/model/tie", names, "names of the ties");
+  ends.write("/model/tie", "tie", file);
+  put(file, "/model/tie_strength", strengths, 1, "N", "force at which each tie yields; NaN: it is elastic");
 }
 
 /// Adds the names and bars of decks and meshes; nothing for a model without.
-void add_meshes(const cases::Model& m, Datasets& out) {
+void write_meshes(const cases::Model& m, Hdf5File& file) {
   std::vector<std::string> names;
   std::vector<std::int64_t> bars;
   std::vector<double> breaking;
@@ -265,13 +270,14 @@ void add_meshes(const cases::Model& m, Datasets& out) {
   for (const cases::TieGroup& g : cases::tie_groups(m)) {
     names.push_back(g.name);
     bars.push_back(static_cast<std::int64_t>(g.last - g.first));
-    for (const cases::TieBar& bar : std::span(m.ties).subspan(g.first, g.last - g.first)) ends.add(bar), breaking.push_back(or_nan(bar.breaking));
+    for (const cases::TieBar& bar : std::span(m.ties).subspan(g.first, g.last - g.first))
+      ends.add(bar), breaking.push_back(or_nan(bar.breaking));
   }
   if (names.empty()) return;
-  out.push_back(texts("/model/mesh", std::move(names), "names of decks and meshes"));
-  out.push_back(dataset("/model/mesh_bars", bars, 1, "1", "number of the bars of each deck and mesh"));
-  ends.put("/model/mesh_bar", "bar of decks and meshes, in their order,", out);
-  out.push_back(dataset("/model/mesh_bar_breaking", breaking, 1, "m", "elongation at which each bar breaks; NaN: never"));
+  put_texts(file, "/model/mesh", names, "names of decks and meshes");
+  put(file, "/model/mesh_bars", bars, 1, "1", "number of the bars of each deck and mesh");
+  ends.write("/model/mesh_bar", "bar of decks and meshes, in their order,", file);
+  put(file, "/model/mesh_bar_breaking", breaking, 1, "m", "elongation at which each bar breaks; NaN: never");
 }
 
 /// Rows of /loads.
@@ -308,21 +314,19 @@ class LoadTable {
 
 }  // namespace
 
-std::vector<StaticDataset> model_datasets(const cases::Model& model) {
+void write_model(Hdf5File& file, const cases::Model& model) {
   if (model.blocks.size() != model.assembly.elements.size() || model.joint_law.size() != model.assembly.joints.size())
     throw std::invalid_argument("the model's assembly does not belong to its blocks");
-  std::vector<StaticDataset> out;
-  StaticDataset origin = dataset("/model/origin", each_vector(std::vector{model.origin}, std::identity{}), 1, "m",
-                                 "in the axes of the case file: what all coordinates in this file are relative to");
-  out.push_back(std::move(origin));
-  add_elements(model, out);
-  add_shapes(model, out);
-  add_faces(model, out);
-  add_joints(model, out);
-  add_materials(model, out);
-  add_ties(model, out);
-  add_meshes(model, out);
-  return out;
+  put(file, "/model/origin", each_vector(std::vector{model.origin}, std::identity{}), 1, "m",
+      "in the axes of the case file: what all coordinates in this file are relative to");
+  write_elements(model, file);
+  write_vertices(model, file);
+  write_cells(model, file);
+  write_faces(model, file);
+  write_joints(model, file);
+  write_materials(model, file);
+  write_ties(model, file);
+  write_meshes(model, file);
 }
 
 std::vector<StaticDataset> load_datasets(const cases::Case& c, const cases::Model& model) {
@@ -346,9 +350,7 @@ std::vector<StaticDataset> load_datasets(const cases::Case& c, const cases::Mode
 
 void write_datasets(Hdf5File& file, const std::vector<StaticDataset>& datasets) {
   for (const StaticDataset& d : datasets) {
-    if (d.is_text)
-      file.write_strings(d.name, d.texts, d.note);
-    else if (d.source)
+    if (d.source)
       write_made(file, d);
     else
       file.write_dataset(d.name, d.type, d.shape, d.bytes.data(), checked_layout(d.bytes.size() / std::max<std::size_t>(1, d.shape[0])),
