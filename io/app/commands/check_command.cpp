@@ -195,37 +195,40 @@ void print_rates(std::vector<RateTime> times, const RunTime& own) {
               best->time.collapse / own.collapse);
 }
 
-/// Prints the estimated time of a time history, or of an analysis by dynamics, and at other rates where that is worth a word. \throw
-/// solver::NumericalError
-void print_run_time(const cases::Case& c, const cases::Model& model, const cases::GroundMotion& motion, solver::Simulation& sim) {
-  const solver::Options& options = sim.world().options;
-  const double step = shaken_step(c, sim), one_rate = one_rate_step(c, model, motion, sim, step);
-  const RunTime own = run_time(c, sim, step, one_rate);
+/// Prints the estimated time of a time history, or of an analysis by dynamics, and at other rates where that is worth a word. \param sim
+/// ends here: other rates need its memory \throw solver::NumericalError
+void print_run_time(const cases::Case& c, const cases::Model& model, const cases::GroundMotion& motion,
+                    std::unique_ptr<solver::Simulation> sim) {
+  const solver::Options options = sim->world().options;
+  const double step = shaken_step(c, *sim), one_rate = sim->cycle() == 1 ? step : one_rate_step(c, model, motion, options);
+  const RunTime own = run_time(c, *sim, step, one_rate);
   std::printf("\nestimate, %d threads      %s if nothing breaks, some %s if it collapses (steps were timed on this machine)\n",
-              sim.threads(), format_duration(own.intact).c_str(), format_duration(own.collapse).c_str());
+              sim->threads(), format_duration(own.intact).c_str(), format_duration(own.collapse).c_str());
   if (is_assessment(c.analysis))
     std::printf("                         for all %s s of analysis.longest; most analyses end in a tenth of it\n",
                 cases::text(c.end()).c_str());
   std::fflush(stdout);
   if (own.collapse < kWorthAdvice) return;
+  sim.reset();
   std::vector<RateTime> rates = other_rates(c, model, motion, options, one_rate);
   if (!rates.empty()) print_rates(std::move(rates), own);
 }
 
 /// Prints the estimated time of a run. \return whether the first steps succeed
-bool print_estimate(const cases::Case& c, const cases::Model& model, const cases::GroundMotion& motion, solver::Simulation& sim) {
+bool print_estimate(const cases::Case& c, const cases::Model& model, const cases::GroundMotion& motion,
+                    std::unique_ptr<solver::Simulation> sim) {
   bool sound = true;
   const cases::Census n = cases::census(model);
   const double memory = memory_needs(n);
   try {
     if (cases::finds_rest(c.analysis)) {
-      const double usual = rest_time(c.analysis, sim);
+      const double usual = rest_time(c.analysis, *sim);
       std::printf("\nestimate, %d threads      some %s, %.0f times that where much breaks (steps were timed on this machine)\n",
-                  sim.threads(), format_duration(usual).c_str(), kMuchBreaks);
+                  sim->threads(), format_duration(usual).c_str(), kMuchBreaks);
       std::printf("memory                   about %.0f MB\n", memory / kMegabyte);
       return true;
     }
-    print_run_time(c, model, motion, sim);
+    print_run_time(c, model, motion, std::move(sim));
   } catch (const solver::NumericalError& e) {
     std::printf("\nestimate                 none: the first steps go wrong (%s)\n", e.what());
     sound = false;
@@ -294,11 +297,11 @@ int check(const LoadedCase& c, const CheckOptions& o, int threads) {
   const cases::GroundMotion motion = ground_motion(c.value);
   solver::Options options;
   options.threads = threads;
-  solver::Simulation sim(c.value, model, motion, options);
-  refuse_endless(c.value, model, sim);
+  auto sim = std::make_unique<solver::Simulation>(c.value, model, motion, options);
+  refuse_endless(c.value, model, *sim);
   if (o.json) {
     if (!o.draw.empty()) write_output(drawing, draw(c.value, model));
-    return check_as_json(c, model, motion, sim);
+    return check_as_json(c, model, motion, *sim);
   }
   const cases::Census n = cases::census(model);
   std::printf("%s\n\n", c.value.title.c_str());
@@ -315,8 +318,8 @@ int check(const LoadedCase& c, const CheckOptions& o, int threads) {
   print_levers(c.value, model);
   print_torsion(c.value, model);
   print_ties(model);
-  print_bounded_ties(sim.world().ties, model);
-  print_step(n, model, sim.world());
+  print_bounded_ties(sim->world().ties, model);
+  print_step(n, model, sim->world());
   print_joint_laws(model);
   print_optional_laws(c.value, model);
   print_friction(c.value.contact);
@@ -326,7 +329,7 @@ int check(const LoadedCase& c, const CheckOptions& o, int threads) {
   print_adapted_walls(c.value);
   print_tie_bill(model);
   std::fflush(stdout);  // the steps of the estimate take a while
-  const bool sound = print_estimate(c.value, model, motion, sim);
+  const bool sound = print_estimate(c.value, model, motion, std::move(sim));
   if (!o.draw.empty()) {
     write_output(drawing, draw(c.value, model));
     std::printf("\ndrawing                  %s\n", o.draw.c_str());
