@@ -167,7 +167,7 @@ int resume(const ResumeOptions& o) {
   folder.write_case(resolved);  // after the results are known to be intact
   Checkpoints checkpoints(folder.path(), facts_of(*r->sim, resolved, r->facts.motion, r->facts.reference_kernels), o.checkpoints, r->path);
   if (!o.quiet) say_info("going on from " + r->path + geometry::printed(", at %.4f s", r->facts.time));
-  const int code = run_session(r->value, *r->sim, r->plan, results, checkpoints, folder.path(), o.quiet, o.views.page_every);
+  const int code = run_session(r->value, std::move(r->sim), r->plan, results, checkpoints, folder.path(), o.quiet, o.views.page_every);
   if (code == kDone) write_views(folder.path(), o.views);
   return code;
 }

@@ -61,12 +61,12 @@ int run(const LoadedCase& c, const RunOptions& o) {
   solver::Options options;
   options.reference_kernels = o.reference_kernels;
   options.threads = o.threads, options.own_pace = true;
-  solver::Simulation sim(c.value, model, motion, options);
-  choose_drive(sim, c.value);
-  refuse_endless(c.value, model, sim);
-  print_bounded_ties(sim.world().ties, model);
+  auto sim = std::make_unique<solver::Simulation>(c.value, model, motion, options);
+  choose_drive(*sim, c.value);
+  refuse_endless(c.value, model, *sim);
+  print_bounded_ties(sim->world().ties, model);
   warn_of(likely_slips(c, model, motion));
-  warn_of_step(c.value, model, sim.world().dt);
+  warn_of_step(c.value, model, sim->world().dt);
 
   cases::Case used = anchored(c.value);
   used.output.frame_interval = cases::frame_interval(used, model.blocks.size());
@@ -74,22 +74,22 @@ int run(const LoadedCase& c, const RunOptions& o) {
   const RunFolder folder = RunFolder::create(o.folder, o.overwrite);
   const std::string resolved = resolved_toml(used);
   ResultsOptions kept;
-  kept.motion = motion_datasets(c.value, motion, sim.dt(), sim.cycle());
-  std::ranges::move(load_datasets(c.value, sim.world().model), std::back_inserter(kept.motion));
+  kept.motion = motion_datasets(c.value, motion, sim->dt(), sim->cycle());
+  std::ranges::move(load_datasets(c.value, model), std::back_inserter(kept.motion));
   kept.cuts = cut_names(c.value);
   std::optional<ResultsWriter> results;
   try {
     folder.write_case(resolved);
-    results.emplace(folder.path(), model, resolved, history_names(c.value), provenance(sim.threads()), kept);
+    results.emplace(folder.path(), model, resolved, history_names(c.value), provenance(sim->threads()), kept);
   } catch (const FileError&) {
     print_way_on(folder.path());
     throw;
   }
   if (!o.quiet) say_lines(motion_lines(c.value, motion));
 
-  Checkpoints checkpoints(folder.path(), facts_of(sim, resolved, motion, o.reference_kernels), o.checkpoints);
+  Checkpoints checkpoints(folder.path(), facts_of(*sim, resolved, motion, o.reference_kernels), o.checkpoints);
   solver::RunState plan;
-  const int code = run_session(c.value, sim, plan, *results, checkpoints, folder.path(), o.quiet, o.views.page_every);
+  const int code = run_session(c.value, std::move(sim), plan, *results, checkpoints, folder.path(), o.quiet, o.views.page_every);
   if (code == kDone) write_views(folder.path(), o.views);
   return code;
 }

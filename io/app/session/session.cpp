@@ -116,7 +116,7 @@ void measure_failed(ResultsWriter& results) {
   if (results.capacity()) std::printf("%s", capacity_text(*results.capacity()).c_str());
 }
 
-/// Observer of one run: progress, signals, checkpoints.
+/// Observer of one run: progress, signals, checkpoints. Of use until `finish`; then for what it has counted.
 class Watch {
  public:
   Watch(solver::Simulation& sim, solver::RunState& plan, ResultsWriter& results, Checkpoints& checkpoints, LivePage page, bool quiet)
@@ -236,23 +236,28 @@ std::vector<std::string> cut_names(const cases::Case& c) {
   return names;
 }
 
-int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState& plan, ResultsWriter& results, Checkpoints& checkpoints,
+int run_session(const cases::Case& c, std::unique_ptr<solver::Simulation> sim, solver::RunState& plan, ResultsWriter& results, Checkpoints& checkpoints,
                 const std::string& folder, bool quiet, double page_every) {
   std::optional<Signals> signals(std::in_place);
-  Watch watch(sim, plan, results, checkpoints, LivePage(folder, page_every), quiet);
-  const std::string light = light_elements_warning(sim.world(), c);
+  Watch watch(*sim, plan, results, checkpoints, LivePage(folder, page_every), quiet);
+  const std::string light = light_elements_warning(sim->world(), c);
   if (!light.empty()) say_warning(light);
   try {
     now_doing("running");
-    const solver::RunResult r = solver::run(sim, plan, c, c.end(), results, [&](const solver::RunStatus& s) { return watch.look(s); });
+    const solver::RunResult r = solver::run(*sim, plan, c, c.end(), results, [&](const solver::RunStatus& s) { return watch.look(s); });
     watch.finish();
-    const std::uint64_t hash = solver::state_hash(sim.world());
+    const std::uint64_t hash = solver::state_hash(sim->world());
     results.state_hash(hash);
     if (r.stopped) {  // measures of a large run take long: results are on disk before, and a further signal ends the program
       results.flush();
       signals.reset();
       std::signal(SIGUSR1, SIG_IGN);  // nothing more to save
     }
+    const cases::Model& model = sim->world().model;
+    const solver::Ties ties = sim->world().ties;
+    const solver::StageTimes times = sim->stage_times();
+    const std::string advice = advice_lines(c, *sim, watch.clock(), plan.collapse);
+    sim.reset();
     take_measures(results);
     r.stopped ? results.flush() : static_cast<void>(results.finish());
     if (r.stopped) {
@@ -262,18 +267,20 @@ int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState&
     print_summary(r.summary, hash, folder, r.stopped, !(results.capacity() && results.capacity()->by_rest()));
     if (results.capacity()) std::printf("%s", capacity_text(*results.capacity()).c_str());
     if (results.measures()) std::fputs(loads_text(results.measures()->loads).c_str(), stdout);
-    print_tie_outcome(sim.world().ties, sim.world().model);
-    print_stages(sim.stage_times());
+    print_tie_outcome(ties, model);
+    print_stages(times);
     watch.print_checkpoints();
-    std::fputs(advice_lines(c, sim, watch.clock(), plan.collapse).c_str(), stdout);
+    std::fputs(advice.c_str(), stdout);
     return r.stopped ? 128 + static_cast<int>(stop_signal) : kDone;
   } catch (const solver::NumericalError& e) {
     watch.finish();
     say_error(kNumericalFailure, {.text = std::string("numerical failure: ") + e.what()});
     results.failure(e.what());
-    if (try_to([&] { results.flush(); }, "the last rows are not in the results")) measure_failed(results);
-    if (try_to([&] { checkpoints.save_failed(sim, plan, results.rows()); }, "the state is not saved"))
+    const bool has_rows = try_to([&] { results.flush(); }, "the last rows are not in the results");
+    if (try_to([&] { checkpoints.save_failed(*sim, plan, results.rows()); }, "the state is not saved"))
       say_info("the state is in " + folder + "/checkpoint-failed.h5");
+    sim.reset();
+    if (has_rows) measure_failed(results);
     return kNumericalFailure;
   } catch (const FileError&) {
     watch.finish();

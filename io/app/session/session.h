@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,9 +29,10 @@ void print_way_on(const std::string& folder);
 ///
 /// Checkpoints are written as scheduled and on signals: SIGUSR1 saves and continues, SIGINT and SIGTERM save and stop. Failure to write a
 /// checkpoint is a warning, except for the first one and that of a stop.
+/// \param sim  ends before the measures are taken, which need as much memory again
 /// \param page_every  see LivePage
 /// \return kDone, kNumericalFailure, or 128 + the signal that stopped it \throw FileError if results cannot be written
-int run_session(const cases::Case& c, solver::Simulation& sim, solver::RunState& plan, ResultsWriter& results, Checkpoints& checkpoints,
+int run_session(const cases::Case& c, std::unique_ptr<solver::Simulation> sim, solver::RunState& plan, ResultsWriter& results, Checkpoints& checkpoints,
                 const std::string& folder, bool quiet, double page_every = 0);
 
 }  // namespace voussoir::io

@@ -8,7 +8,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "io/app/session/exit_code.h"
 #include "io/app/session/session.h"
@@ -105,13 +107,13 @@ TEST_CASE("a run that is lost keeps its measures, and its capacity curve up to t
   fs::create_directories(run);
   const cases::Case c = io::read_case({"case.toml", kPushed}).value;
   const cases::Model model = cases::build_model(c);
-  solver::Simulation sim(c, model, {}, {});
-  solver::choose_drive(sim, c);
+  auto sim = std::make_unique<solver::Simulation>(c, model, cases::GroundMotion{}, solver::Options{});
+  solver::choose_drive(*sim, c);
   io::ResultsWriter results(run, model, kPushed, io::history_names(c), io::provenance(1));
-  io::Checkpoints checkpoints(run, io::facts_of(sim, kPushed, {}, false), {});
+  io::Checkpoints checkpoints(run, io::facts_of(*sim, kPushed, {}, false), {});
   solver::RunState plan;
   const CaughtErrors errors(folder.path("errors"));
-  CHECK(io::run_session(c, sim, plan, results, checkpoints, run, true) == io::kNumericalFailure);
+  CHECK(io::run_session(c, std::move(sim), plan, results, checkpoints, run, true) == io::kNumericalFailure);
   CAPTURE(errors.text());
   const io::Hdf5File file = io::Hdf5File::open(run + "/run.h5");
   CHECK(file.attribute_int("/summary", "finished") == 0);
@@ -133,15 +135,15 @@ TEST_CASE("a numerical failure is told and keeps its exit code though neither ro
   fs::create_directories(run);
   const cases::Case c = blown_up();
   const cases::Model model = cases::build_model(c);
-  solver::Simulation sim(c, model, {}, {});
+  auto sim = std::make_unique<solver::Simulation>(c, model, cases::GroundMotion{}, solver::Options{});
   io::ResultsWriter results(run, model, "", io::history_names(c), io::provenance(1));
-  io::Checkpoints checkpoints(run, io::facts_of(sim, "", {}, false), {});
+  io::Checkpoints checkpoints(run, io::facts_of(*sim, "", {}, false), {});
   solver::RunState plan;
   // Folders that are not empty stand where the files would go.
   fs::create_directories(run + "/parts/0000.h5/in the way");
   fs::create_directories(run + "/checkpoint-failed.h5/in the way");
   const CaughtErrors errors(folder.path("errors"));
-  CHECK(io::run_session(c, sim, plan, results, checkpoints, run, true) == io::kNumericalFailure);
+  CHECK(io::run_session(c, std::move(sim), plan, results, checkpoints, run, true) == io::kNumericalFailure);
   const std::string text = errors.text();
   const std::size_t failure = text.find("numerical failure"), rows = text.find("the last rows are not in the results"),
                     state = text.find("the state is not saved");
