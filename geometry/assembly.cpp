@@ -23,19 +23,27 @@ void check_part(const Part& part, int subject) {
 }
 
 /// Computes the mass, the faces and their grids of one element. \pre first_face and face_count are set
-void fill_element(const Part& part, int subject, Element& element, std::vector<Face>& faces, std::vector<FaceGrid>& grids) {
+void fill_element(const Part& part, int subject, Element& element, std::vector<Face>& faces, std::vector<PlacedGrid>& grids,
+                  FaceGridStore& store) {
   const Polyhedron& shape = *part.shape;
   element.mass = mass_properties(shape);
   for (std::int32_t f = 0; f < element.face_count; ++f) {
     const FacePlane plane = face_plane(shape, f);
     const auto i = static_cast<std::size_t>(element.first_face + f);
     faces[i] = {plane.normal, dot(plane.normal, plane.centroid), dot(plane.normal, plane.centroid - element.mass.centroid), plane.area};
-    grids[i] = make_face_grid(shape, f, part.segment_size, subject);
+    const NewFaceGrid grid = make_face_grid(shape, f, part.segment_size, subject);
+    grids[i] = {grid.origin, &store.keep(grid)};
   }
 }
 
+/// Grids of all faces, by element.
+struct FaceGrids {
+  std::vector<PlacedGrid> placed;
+  std::vector<FaceGridStore> stores;  // by range of elements, so that no thread waits for another
+};
+
 /// Fills elements and faces of `out`; returns the grids of the faces.
-std::vector<FaceGrid> make_elements(std::span<const Part> parts, int threads, Assembly& out) {
+FaceGrids make_elements(std::span<const Part> parts, int threads, Assembly& out) {
   for_ranges(parts.size(), threads, [&](std::size_t, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) check_part(parts[i], static_cast<int>(i));
   });
@@ -47,9 +55,10 @@ std::vector<FaceGrid> make_elements(std::span<const Part> parts, int threads, As
     faces += count;
   }
   out.faces.resize(static_cast<std::size_t>(faces));
-  std::vector<FaceGrid> grids(static_cast<std::size_t>(faces));
-  for_ranges(parts.size(), threads, [&](std::size_t, std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) fill_element(parts[i], static_cast<int>(i), out.elements[i], out.faces, grids);
+  FaceGrids grids{std::vector<PlacedGrid>(static_cast<std::size_t>(faces)), std::vector<FaceGridStore>(range_count(parts.size()))};
+  for_ranges(parts.size(), threads, [&](std::size_t range, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      fill_element(parts[i], static_cast<int>(i), out.elements[i], out.faces, grids.placed, grids.stores[range]);
   });
   return grids;
 }
@@ -83,11 +92,11 @@ void check_held(std::span<const Part> parts, const std::vector<Contact>& contact
 Assembly assemble(std::span<const Part> parts, std::optional<double> base_z, SegmentRule rule, int threads) {
   Assembly out;
   out.rule = rule;
-  const std::vector<FaceGrid> grids = make_elements(parts, threads, out);
+  const FaceGrids grids = make_elements(parts, threads, out);
   std::vector<Box3> boxes;
   boxes.reserve(parts.size());
   for (const Part& part : parts) boxes.push_back(bounds(*part.shape));
-  const Scene scene{parts, out.elements, grids, boxes, threads};
+  const Scene scene{parts, out.elements, grids.placed, boxes, threads};
   const std::vector<Contact> contacts = find_contacts(scene, base_z);
   check_held(parts, contacts);
   make_joints(scene, contacts, out);

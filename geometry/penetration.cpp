@@ -30,9 +30,9 @@ double depth_behind_faces(const Scene& scene, std::int32_t element, std::int32_t
   const Polyhedron& shape = *nth(scene.parts, other).shape;
   double least = std::numeric_limits<double>::infinity();
   for (std::int32_t f = e.first_face; f < e.first_face + e.face_count; ++f) {
-    const FaceGrid& g = nth(scene.grids, f);
+    const PlacedGrid& g = nth(scene.grids, f);
     double lowest = std::numeric_limits<double>::infinity();
-    for (const Vec3& v : shape.vertices) lowest = std::min(lowest, dot(v - g.origin, g.normal));
+    for (const Vec3& v : shape.vertices) lowest = std::min(lowest, dot(v - g.origin, g.grid->normal));
     least = std::min(least, -lowest);
     if (least <= enough) break;
   }

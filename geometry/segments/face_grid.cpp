@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
+#include <iterator>
 #include <limits>
 
 #include "geometry/message.h"
@@ -72,19 +74,37 @@ Piece whole_cell(const FaceGrid& g, std::int32_t i, std::int32_t j) {
   return {j * g.columns + i, g.cell_area(), {(i + 0.5) * g.cell_width, (j + 0.5) * g.cell_height}};
 }
 
+/// Not by ==, for which 0 is −0.
+bool have_same_bits(const FaceGrid& a, const FaceGrid& b) {
+  const auto numbers = [](const FaceGrid& g) {
+    return std::array{g.axis_s.x, g.axis_s.y, g.axis_s.z, g.axis_t.x, g.axis_t.y,   g.axis_t.z,    g.normal.x,
+                      g.normal.y, g.normal.z, g.width,    g.height,   g.cell_width, g.cell_height, g.quantum};
+  };
+  const auto x = numbers(a), y = numbers(b);
+  return a.columns == b.columns && a.rows == b.rows && a.polygon.size() == b.polygon.size() &&
+         std::memcmp(x.data(), y.data(), sizeof x) == 0 &&
+         std::memcmp(a.polygon.data(), b.polygon.data(), a.polygon.size() * sizeof(Point2)) == 0;
+}
+
 }  // namespace
+
+const FaceGrid& FaceGridStore::keep(const FaceGrid& g) {
+  const auto last = grids_.rbegin() + std::min(kLooks, std::ssize(grids_));
+  const auto found = std::find_if(grids_.rbegin(), last, [&](const FaceGrid& known) { return have_same_bits(known, g); });
+  return found != last ? *found : grids_.emplace_back(g);
+}
 
 double snapped(double value, double quantum) noexcept { return std::nearbyint(value / quantum) * quantum; }
 
 double cells_along(double extent, double size) noexcept { return std::max(1.0, std::floor(extent / size + 0.5 + kLaidOut)); }
 
-FaceGrid make_face_grid(const Polyhedron& p, int face, double segment_size, int subject) {
+NewFaceGrid make_face_grid(const Polyhedron& p, int face, double segment_size, int subject) {
   const auto& loop = nth(p.faces, face);
   std::vector<Vec3> corners;
   corners.reserve(loop.size());
   for (const std::int32_t i : loop) corners.push_back(nth(p.vertices, i));
 
-  FaceGrid g;
+  NewFaceGrid g;
   g.normal = face_plane(p, face).normal;
   const Vec3 edge = longest_edge(corners);
   g.axis_s = normalised(edge - dot(edge, g.normal) * g.normal);

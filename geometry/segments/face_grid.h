@@ -3,17 +3,17 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 
 #include "geometry/polygon.h"
 #include "geometry/polyhedron.h"
 
 namespace voussoir::geometry {
 
-/// The cells of one face. Its plane coordinates (s, t) [m] start at the corner of the bounding rectangle; s runs along the longest edge
-/// (the first of equals in the loop), t = normal × s. Corners lie on a raster of `quantum`, far finer than building tolerances, so that
-/// faces equal up to round-off have equal bits.
+/// The cells of one face, but not where it lies. Its plane coordinates (s, t) [m] start at the corner of the bounding rectangle; s runs
+/// along the longest edge (the first of equals in the loop), t = normal × s. Corners lie on a raster of `quantum`, far finer than building
+/// tolerances, so that faces equal up to round-off have equal bits.
 struct FaceGrid {
-  Vec3 origin;  // m, the corner of the rectangle, global axes
   Vec3 axis_s, axis_t, normal;
   Polygon polygon;                             // the face
   double width = 0.0, height = 0.0;            // m, of the rectangle
@@ -25,6 +25,27 @@ struct FaceGrid {
   [[nodiscard]] std::int32_t cell_count() const noexcept { return columns * rows; }
 };
 
+/// The grid of a face and its place.
+struct NewFaceGrid : FaceGrid {
+  Vec3 origin;  // m, the corner of the rectangle, global axes
+};
+/// The same, of many faces: those that are alike share a grid.
+struct PlacedGrid {
+  Vec3 origin;
+  const FaceGrid* grid = nullptr;
+};
+
+/// Keeps grids of faces, those that are alike once. For one thread.
+class FaceGridStore {
+ public:
+  /// A kept grid that equals `g` bit for bit, added if it is not among the last kLooks. Valid as long as the store.
+  const FaceGrid& keep(const FaceGrid& g);
+
+ private:
+  static constexpr std::ptrdiff_t kLooks = 64;  // a wall has some forty kinds of faces
+  std::deque<FaceGrid> grids_;                  // a deque, since its elements never move
+};
+
 /// Rounds to a multiple of `quantum`, a power of two.
 double snapped(double value, double quantum) noexcept;
 
@@ -34,7 +55,7 @@ double cells_along(double extent, double size) noexcept;
 
 /// The grid of a face, with cells of about segment_size [m]. \pre p is valid, segment_size > 0. \throw ModelError if the face would have
 /// more than 1e8 cells.
-FaceGrid make_face_grid(const Polyhedron& p, int face, double segment_size, int subject = -1);
+NewFaceGrid make_face_grid(const Polyhedron& p, int face, double segment_size, int subject = -1);
 
 /// Intersection of a cell and a polygon: area [m2] and centroid [m] in the coordinates of the face.
 struct Piece {

@@ -58,7 +58,7 @@ SidesByFace sort_sides(const Scene& scene, std::span<const Contact> contacts) {
 
 /// Moves segments, given relative to the corner of the face, to coordinates about their area centroid on the raster, and `others` by the
 /// same shift. Returns the frame there.
-Frame centre_on(const FaceGrid& g, std::vector<Segment>& segments, std::vector<Segment>& others) {
+Frame centre_on(const PlacedGrid& face, std::vector<Segment>& segments, std::vector<Segment>& others) {
   double area = 0.0, s = 0.0, t = 0.0;
   for (const Segment& x : segments) area += x.area, s += x.area * x.s, t += x.area * x.t;
   s /= area, t /= area;
@@ -67,7 +67,8 @@ Frame centre_on(const FaceGrid& g, std::vector<Segment>& segments, std::vector<S
   };
   move(segments);
   move(others);
-  return {g.origin + s * g.axis_s + t * g.axis_t, g.axis_s, g.axis_t, g.normal};
+  const FaceGrid& g = *face.grid;
+  return {face.origin + s * g.axis_s + t * g.axis_t, g.axis_s, g.axis_t, g.normal};
 }
 
 void check_sum(const Contact& c, const std::vector<Segment>& side, const char* name) {
@@ -153,7 +154,8 @@ class FaceCutter {
       cut_face_to_rim(element, face, sides);
       return;
     }
-    const FaceGrid& g = scene_.grids[face_index(scene_, element, face)];
+    const PlacedGrid& placed = scene_.grids[face_index(scene_, element, face)];
+    const FaceGrid& g = *placed.grid;
     if (!sides.empty()) taken_.assign(static_cast<std::size_t>(g.cell_count()), {});
     for (const Side& side : sides) cut_side(g, side);
     cutter_.cut(g, g.polygon, pieces_);
@@ -161,7 +163,7 @@ class FaceCutter {
     merge_small(g, pieces_);  // merges slivers at a slanting edge
     segments_.clear();
     for (const Piece& p : pieces_) segments_.push_back({p.centroid.s, p.centroid.t, p.area});
-    add_patch(element, face, g);
+    add_patch(element, face, placed);
   }
 
   /// Free patches of all faces cut so far.
@@ -173,7 +175,8 @@ class FaceCutter {
   /// Cuts a face under SegmentRule::rim: points of each joint in which the face is face_a, and of convex polygons that make up its free
   /// part.
   void cut_face_to_rim(std::int32_t element, std::int32_t face, std::span<const Side> sides) {
-    const FaceGrid& g = scene_.grids[face_index(scene_, element, face)];
+    const PlacedGrid& placed = scene_.grids[face_index(scene_, element, face)];
+    const FaceGrid& g = *placed.grid;
     free_.assign(1, g.polygon);
     for (const Side& side : sides) {
       const Contact& c = nth(contacts_, side.contact);
@@ -197,7 +200,7 @@ class FaceCutter {
       append_rim_points(inside, size_of(element), segments_);
       for (std::size_t i = first; i < segments_.size(); ++i) segments_[i].area *= area / region(inside).area;
     }
-    add_patch(element, face, g);
+    add_patch(element, face, placed);
   }
 
   /// The overlap of the face and another, in coordinates of the face.
@@ -234,17 +237,17 @@ class FaceCutter {
   /// Stores a joint all of whose sides have been cut.
   void finish_joint(std::int32_t contact, Draft draft) {
     const Contact& c = nth(contacts_, contact);
-    const FaceGrid& g = scene_.grids[face_index(scene_, c.element_a, c.face_a)];
+    const PlacedGrid& placed = scene_.grids[face_index(scene_, c.element_a, c.face_a)];
     Joint& joint = nth(joints_, contact);
     check_sum(c, draft.side_a, "a");
     if (rule_ == SegmentRule::rim || (c.element_b != kBase && is_ground(scene_, c.element_b))) {
       joint.merged = c.element_b != kBase;  // both elements share the points of side a
     } else if (c.element_b != kBase) {
       check_sum(c, draft.side_b, "b");
-      joint.merged = matcher_.coincide(g, draft.side_a, draft.side_b);
+      joint.merged = matcher_.coincide(*placed.grid, draft.side_a, draft.side_b);
       if (joint.merged) draft.side_b.clear();
     }
-    joint.frame = centre_on(g, draft.side_a, draft.side_b);
+    joint.frame = centre_on(placed, draft.side_a, draft.side_b);
     joint.side_a = store_.keep(draft.side_a), joint.side_b = store_.keep(draft.side_b);
   }
 
@@ -267,10 +270,10 @@ class FaceCutter {
   }
 
   /// Adds a patch of segments_, if there are any.
-  void add_patch(std::int32_t element, std::int32_t face, const FaceGrid& g) {
+  void add_patch(std::int32_t element, std::int32_t face, const PlacedGrid& placed) {
     if (segments_.empty()) return;
     std::vector<Segment> none;
-    const Frame frame = centre_on(g, segments_, none);
+    const Frame frame = centre_on(placed, segments_, none);
     patches_.push_back({element, face, frame, store_.keep(segments_)});
   }
 

@@ -23,9 +23,9 @@ constexpr double kLeastArea = 1e-8;        // m2
 constexpr double kLeastWidth = 2e-6;       // m, of the overlap: corners a micrometre apart share no joint
 
 /// Distance of the plane of b from the plane of a at a point of the overlap [m].
-double gap_at(const FaceGrid& a, const FaceGrid& b, Point2 at) {
-  const Vec3 point = (a.origin - b.origin) + at.s * a.axis_s + at.t * a.axis_t;
-  return std::abs(dot(point, b.normal));
+double gap_at(const PlacedGrid& a, const PlacedGrid& b, Point2 at) {
+  const Vec3 point = (a.origin - b.origin) + at.s * a.grid->axis_s + at.t * a.grid->axis_t;
+  return std::abs(dot(point, b.grid->normal));
 }
 
 /// Upper bound of the distance of the corners of a face from its origin [m].
@@ -40,14 +40,15 @@ double longest(const Polygon& p) {
   return most;
 }
 
-std::optional<Contact> touch(const FaceGrid& a, const FaceGrid& b) {
+std::optional<Contact> touch(const PlacedGrid& face_a, const PlacedGrid& face_b) {
+  const FaceGrid &a = *face_a.grid, &b = *face_b.grid;
   const Vec3 tilt = a.normal + b.normal;
   if (dot(tilt, tilt) > kNormalTolerance * kNormalTolerance) return std::nullopt;
   const double slack = kNormalTolerance * (reach(a) + reach(b));
-  if (std::abs(dot(b.origin - a.origin, a.normal)) > kGapTolerance + slack) return std::nullopt;
+  if (std::abs(dot(face_b.origin - face_a.origin, a.normal)) > kGapTolerance + slack) return std::nullopt;
 
   Contact contact;
-  contact.map = plane_map(a, b);
+  contact.map = plane_map(face_a, face_b);
   Polygon other;
   other.reserve(b.polygon.size());
   // The reflection reverses the loop.
@@ -58,13 +59,13 @@ std::optional<Contact> touch(const FaceGrid& a, const FaceGrid& b) {
   const double quantum = std::min(a.quantum, b.quantum);
   for (Point2& p : contact.overlap) p = {snapped(p.s, quantum), snapped(p.t, quantum)};
   const Region shared = region(contact.overlap);
-  if (!(shared.area > kLeastArea) || gap_at(a, b, shared.centroid) > kGapTolerance) return std::nullopt;
+  if (!(shared.area > kLeastArea) || gap_at(face_a, face_b, shared.centroid) > kGapTolerance) return std::nullopt;
   if (!(shared.area > kLeastWidth * longest(contact.overlap))) return std::nullopt;
   contact.area = shared.area;
   return contact;
 }
 
-std::span<const FaceGrid> grids_of(const Scene& scene, std::int32_t element) {
+std::span<const PlacedGrid> grids_of(const Scene& scene, std::int32_t element) {
   const Element& e = nth(scene.elements, element);
   return scene.grids.subspan(static_cast<std::size_t>(e.first_face), static_cast<std::size_t>(e.face_count));
 }
@@ -116,9 +117,9 @@ void touch_base(const Scene& scene, std::int32_t i, double base_z, std::vector<C
   if (low > base_z + kGapTolerance) return;
   const auto faces = grids_of(scene, i);
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    const FaceGrid& g = faces[f];
+    const FaceGrid& g = *faces[f].grid;
     const Region whole = region(g.polygon);
-    const double z = g.origin.z + whole.centroid.s * g.axis_s.z + whole.centroid.t * g.axis_t.z;
+    const double z = faces[f].origin.z + whole.centroid.s * g.axis_s.z + whole.centroid.t * g.axis_t.z;
     if (norm(g.normal + Vec3{0, 0, 1}) > kNormalTolerance || std::abs(z - base_z) > kGapTolerance) continue;
     out.push_back({i, static_cast<std::int32_t>(f), kBase, -1, {}, g.polygon, whole.area});
   }
@@ -149,7 +150,8 @@ void meet_neighbours(const Scene& scene, std::optional<double> base_z, const Uni
 
 }  // namespace
 
-PlaneMap plane_map(const FaceGrid& a, const FaceGrid& b) {
+PlaneMap plane_map(const PlacedGrid& face_a, const PlacedGrid& face_b) {
+  const FaceGrid &a = *face_a.grid, &b = *face_b.grid;
   constexpr double kAligned = 1e-13;
   PlaneMap m;
   m.c = dot(b.axis_s, a.axis_s), m.s = dot(b.axis_s, a.axis_t);
@@ -157,7 +159,7 @@ PlaneMap plane_map(const FaceGrid& a, const FaceGrid& b) {
   if (std::abs(m.s) < kAligned) m.s = 0.0;
   const double length = std::hypot(m.c, m.s);
   m.c /= length, m.s /= length;
-  const Vec3 between = b.origin - a.origin;
+  const Vec3 between = face_b.origin - face_a.origin;
   const double quantum = std::min(a.quantum, b.quantum);
   m.shift = {snapped(dot(between, a.axis_s), quantum), snapped(dot(between, a.axis_t), quantum)};
   return m;

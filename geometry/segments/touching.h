@@ -25,7 +25,7 @@ struct PlaneMap {
 };
 
 /// \pre the planes of the two faces coincide and the normals are opposite, within the tolerances of find_contacts.
-PlaneMap plane_map(const FaceGrid& a, const FaceGrid& b);
+PlaneMap plane_map(const PlacedGrid& a, const PlacedGrid& b);
 
 /// Two faces that touch. Against the base (element_b = kBase, face_b = −1) `overlap` is the whole face.
 struct Contact {
@@ -40,9 +40,9 @@ struct Contact {
 struct Scene {
   std::span<const Part> parts;
   std::span<const Element> elements;
-  std::span<const FaceGrid> grids;  // of the faces, by element
-  std::span<const Box3> boxes;      // by element
-  int threads = 1;                  // number of threads to work with
+  std::span<const PlacedGrid> grids;  // of the faces, by element
+  std::span<const Box3> boxes;        // by element
+  int threads = 1;                    // number of threads to work with
 };
 
 /// Penetration depth of two elements [m]: the least overlap along any face normal or product of two edges. Zero or less: the elements are
