@@ -33,8 +33,8 @@ std::size_t bytes_of(const Multirate& m) {
 std::size_t bytes_of(const Sides& s) {
   return bytes(s.constants, s.whole, s.blocks, s.task_first, s.task_level, s.colour_first, s.live, s.live_first, s.live_level, s.live_lanes,
                s.joint, s.set, s.master_face, s.slave_face, s.faces) +
-         bytes(s.parts, s.size, s.pair_wrench, s.pair_on) + bytes(s.side_state, s.retired, s.held, s.friction, s.impact, s.fracture) +
-         bytes(s.laws, s.law_state);
+         bytes(s.parts, s.size, s.pair_wrench, s.pair_on) + bytes(s.side_state, s.retired, s.held) +
+         in_use(s.friction, s.impact, s.fracture) + bytes(s.laws, s.law_state);
 }
 
 std::size_t bytes_of(const Patches& p) {
@@ -64,7 +64,7 @@ MemoryUse memory_use(const World& w) {
   MemoryUse use;
   use.elements = bytes_of(w.elements) + bytes(w.faces, w.moved_at) + bytes_of(w.multirate) + bytes_of(w.ties);
   use.sides = bytes_of(s) + bytes(points.first, points.count, points.s, points.t, points.area);
-  use.segments = bytes(s.bond) + in_use(s.steady, s.first_mode, s.first_time, s.springs);
+  use.segments = in_use(s.bond, s.steady, s.first_mode, s.first_time, s.springs);
   for (const LawState& kept : s.law_state) use.segments += in_use(kept.values);
   use.patches = bytes_of(w.patches) + w.travel.bytes() + bytes_of(w.contacts) + bytes_of(w.overlaps);
   return use;

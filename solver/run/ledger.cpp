@@ -50,7 +50,7 @@ double total(const Elements& e, kernels::Tally book) {
 
 void Ledger::restart(World& w) {
   std::ranges::fill(w.elements.tally, 0.0);
-  for (auto* column : {&w.sides.friction, &w.sides.impact, &w.sides.fracture}) std::fill(column->begin(), column->end(), 0.0);
+  for (auto* column : {&w.sides.friction, &w.sides.impact, &w.sides.fracture}) column->assign_zeros(column->size());
   for (FreePatch& p : w.patches.patch) p.friction = p.impact = p.fracture = 0.0;
   w.overlaps.friction = w.overlaps.impact = w.overlaps.dashpots = 0.0;
   for (kernels::TieState& s : w.ties.state) s.lost = s.released = 0.0;

@@ -92,6 +92,7 @@ void list_joined_pairs(World& w) {
   }
   std::ranges::sort(all);
   o.first_side.assign(static_cast<std::size_t>(w.elements.count) + 1, 0);
+  o.joined_to.reserve(all.size()), o.side.reserve(all.size());
   for (const auto& [a, b, side] : all) {
     ++o.first_side[static_cast<std::size_t>(a) + 1];
     o.joined_to.push_back(b), o.side.push_back(side);

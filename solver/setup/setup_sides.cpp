@@ -160,11 +160,11 @@ void size_side_arrays(Sides& s, std::size_t blocks, std::span<const std::int64_t
   for (const std::int64_t b : block_borders) side_borders.push_back(b * kernels::kLanes);
   assign_in_shares(s.blocks, blocks, kernels::SideBlock{}, team, block_borders);
   assign_in_shares(s.parts, n, {}, team, side_borders);
-  reserve_in_shares(s.bond, static_cast<std::size_t>(points.back()), team, points);
+  s.bond.assign_zeros(static_cast<std::size_t>(points.back()));
   s.steady.assign_zeros(blocks);
   for (auto* column : {&s.joint, &s.set, &s.master_face, &s.slave_face}) column->assign(n, -1);
   s.size.assign(n, 0.0);
-  for (auto* column : {&s.friction, &s.impact, &s.fracture}) column->assign(n, 0.0);
+  for (auto* column : {&s.friction, &s.impact, &s.fracture}) column->assign_zeros(n);
   s.faces.assign(n, 1);
   s.side_state.assign(n, kernels::SideState::segments);
   s.retired.assign(n, 1);
@@ -252,8 +252,8 @@ std::vector<NewSide> new_sides(const World& w, const cases::Case& c, geometry::S
   return sides;
 }
 
-/// Bookkeeping and the initial state of one side.
-void set_state(World& w, const NewSide& side, std::size_t id, std::int32_t set) {
+/// Bookkeeping and the initial state of one side. \param points  of all sides before, padded to whole lanes
+void set_state(World& w, const NewSide& side, std::size_t id, std::int32_t set, std::size_t points) {
   Sides& s = w.sides;
   const bool dry = is_dry(w, side.joint);
   s.joint[id] = side.joint;
@@ -266,9 +266,8 @@ void set_state(World& w, const NewSide& side, std::size_t id, std::int32_t set) 
   s.parts[id] = {.id = static_cast<std::int32_t>(id), .factor = side.factor, .cn = side.cn, .cs = side.cs, .points = {}, .segments = {}};
   const auto n = static_cast<std::int32_t>(side.segments.size());
   s.held[id] = dry ? 0 : n;
-  s.bond.resize(s.bond.size() + static_cast<std::size_t>(n), dry ? kernels::Bond::contact : kernels::Bond::bonded);
-  s.bond.resize(static_cast<std::size_t>(round_up(static_cast<std::int64_t>(s.bond.size()), kernels::kLanes)), kernels::Bond::bonded);
-  if (dry) return;
+  static_assert(static_cast<int>(kernels::Bond::bonded) == 0);
+  if (dry) return static_cast<void>(std::fill_n(s.bond.data() + points, n, kernels::Bond::contact));
   for (const std::int32_t e : {side.master, side.slave}) {
     const std::int32_t sides_here = side.faces == 2 || e == side.master ? n : 0;  // a merged spring is one side of each body
     nth(w.elements.bonds, e) += sides_here;
@@ -362,10 +361,12 @@ void set_up_sides(World& w, const cases::Case& c) {
   size_side_arrays(w.sides, numbered.size() / kernels::kLanes, points_by_colour(w.sides, sides, numbered), w.team);
   fill_blocks(w, sides, numbered, kinds);
   PointSetBuilder sets(w.points);
+  std::size_t points = 0;
   for (std::size_t id = 0; id < numbered.size(); ++id) {
     if (numbered[id] < 0) continue;
     const NewSide& side = nth(sides, numbered[id]);
-    set_state(w, side, id, sets.add(side.segments));
+    set_state(w, side, id, sets.add(side.segments), points);
+    points += static_cast<std::size_t>(round_up(static_cast<std::int64_t>(side.segments.size()), kernels::kLanes));
   }
   const std::size_t n = w.sides.bond.size();
   static_assert(static_cast<int>(kernels::Mode::none) == 0);

@@ -57,12 +57,12 @@ struct Sides {
 
   // State by side.
   Array<kernels::SideState> side_state;
-  Array<std::uint8_t> retired;               // replaced by free patches
-  Array<std::int32_t> held;                  // bonded segments
-  Array<double> friction, impact, fracture;  // J, losses so far
+  Array<std::uint8_t> retired;                   // replaced by free patches
+  Array<std::int32_t> held;                      // bonded segments
+  ZeroArray<double> friction, impact, fracture;  // J, losses so far
 
   // State by segment; `steady` by block.
-  Array<kernels::Bond> bond;
+  ZeroArray<kernels::Bond> bond;               // at first bonded, or contact of a dry joint
   ZeroArray<kernels::Mode> first_mode;         // limit reached first ...
   ZeroArray<double> first_time;                // ... and its time, s
   ZeroArray<kernels::SegmentSprings> springs;  // of kWidth segments each
