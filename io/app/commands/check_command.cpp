@@ -210,6 +210,7 @@ void print_run_time(const cases::Case& c, const cases::Model& model, const cases
   std::fflush(stdout);
   if (own.collapse < kWorthAdvice) return;
   sim.reset();
+  give_memory_back();
   std::vector<RateTime> rates = other_rates(c, model, motion, options, one_rate);
   if (!rates.empty()) print_rates(std::move(rates), own);
 }

@@ -30,6 +30,7 @@ cases::Model prepared_model(const cases::Case& c, int threads) {
   cases::check_followed_points(c, model);
   cases::check_control(c, model);
   now_doing("setting up the computation");
+  give_memory_back();
   return model;
 }
 

@@ -124,6 +124,12 @@ void prepare_process() {
   if (getrlimit(RLIMIT_AS, &memory) == 0 && memory.rlim_cur != RLIM_INFINITY) mallopt(M_ARENA_MAX, 1);
 }
 
+void give_memory_back() noexcept {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
 int code_after_output(int code) {
   std::cout.flush();
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good()) return code;

@@ -65,6 +65,7 @@ std::unique_ptr<RestoredRun> restore_run(const std::string& path, Checkpoint che
   now_doing("building the model");
   r->model = cases::build_model(r->value, options.threads);
   fill_supports(*r);
+  give_memory_back();
   options.reference_kernels = r->facts.reference_kernels;
   options.step = r->facts.step;
   r->sim = std::make_unique<solver::Simulation>(r->value, r->model, r->facts.motion, options);

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "cases/case.h"
+#include "io/app/session/process.h"
 #include "solver/setup/setup.h"
 #include "solver/world/errors.h"
 
@@ -90,6 +91,7 @@ std::vector<RateTime> other_rates(const cases::Case& c, const cases::Model& mode
   for (const int multirate : {1, 2, 4, 8}) {
     const cases::Case other = at_rate(c, multirate);
     if (multirate == c.multirate() || other.multirate() != multirate) continue;
+    give_memory_back();  // of the rate before
     try {
       solver::Simulation sim(other, model, motion, o);
       const double step = shaken_step(other, sim);

@@ -236,8 +236,8 @@ std::vector<std::string> cut_names(const cases::Case& c) {
   return names;
 }
 
-int run_session(const cases::Case& c, std::unique_ptr<solver::Simulation> sim, solver::RunState& plan, ResultsWriter& results, Checkpoints& checkpoints,
-                const std::string& folder, bool quiet, double page_every) {
+int run_session(const cases::Case& c, std::unique_ptr<solver::Simulation> sim, solver::RunState& plan, ResultsWriter& results,
+                Checkpoints& checkpoints, const std::string& folder, bool quiet, double page_every) {
   std::optional<Signals> signals(std::in_place);
   Watch watch(*sim, plan, results, checkpoints, LivePage(folder, page_every), quiet);
   const std::string light = light_elements_warning(sim->world(), c);
@@ -258,6 +258,7 @@ int run_session(const cases::Case& c, std::unique_ptr<solver::Simulation> sim, s
     const solver::StageTimes times = sim->stage_times();
     const std::string advice = advice_lines(c, *sim, watch.clock(), plan.collapse);
     sim.reset();
+    give_memory_back();
     take_measures(results);
     r.stopped ? results.flush() : static_cast<void>(results.finish());
     if (r.stopped) {
@@ -280,6 +281,7 @@ int run_session(const cases::Case& c, std::unique_ptr<solver::Simulation> sim, s
     if (try_to([&] { checkpoints.save_failed(*sim, plan, results.rows()); }, "the state is not saved"))
       say_info("the state is in " + folder + "/checkpoint-failed.h5");
     sim.reset();
+    give_memory_back();
     if (has_rows) measure_failed(results);
     return kNumericalFailure;
   } catch (const FileError&) {

@@ -18,19 +18,26 @@ namespace {
 
 using namespace test;
 
-const StaticDataset& find(const std::vector<StaticDataset>& all, const std::string& name) {
-  const auto at = std::ranges::find(all, name, &StaticDataset::name);
-  REQUIRE(at != all.end());
-  return *at;
-}
+/// The datasets of a model, as they are in a file.
+class ModelFile {
+ public:
+  explicit ModelFile(const cases::Model& m) {
+    Hdf5File out = Hdf5File::create(path_);
+    write_model(out, m);
+    out.close();
+  }
+  [[nodiscard]] Hdf5File open() const { return Hdf5File::open(path_); }
+
+ private:
+  TempFolder folder_;
+  std::string path_ = folder_.file("model.h5");
+};
 
 template <class T>
-std::vector<T> values(const std::vector<StaticDataset>& all, const std::string& name) {
-  const StaticDataset& d = find(all, name);
-  REQUIRE(d.type == Hdf5TypeOf<T>::value);
-  std::vector<T> out(d.bytes.size() / sizeof(T));
-  std::memcpy(out.data(), d.bytes.data(), d.bytes.size());
-  return out;
+std::vector<T> values(const ModelFile& all, const std::string& name) {
+  const Hdf5File file = all.open();
+  REQUIRE(file.type(name) == Hdf5TypeOf<T>::value);
+  return file.read<T>(name);
 }
 
 /// A regular polygon in the y-z plane, pulled along x; counter-clockwise seen from +x, or clockwise.
@@ -70,11 +77,11 @@ Vec3 corner(const cases::Model& m, const std::vector<std::int32_t>& cells, std::
 }  // namespace
 
 TEST_CASE("the static datasets of two cubes") {
-  const auto all = model_datasets(two_cubes());
+  const ModelFile all(two_cubes());
   CHECK(values<double>(all, "/model/element/mass") == std::vector<double>{1.8, 1.8});
   CHECK(values<double>(all, "/model/element/inertia")[0] == doctest::Approx(1.8 * 0.01 / 6));
   CHECK(values<double>(all, "/model/element/position0")[3] == doctest::Approx(0.15));
-  CHECK(find(all, "/model/element/tag").texts == std::vector<std::string>{"front wall", "slider"});
+  CHECK(all.open().read_strings("/model/element/tag") == std::vector<std::string>{"front wall", "slider"});
   CHECK(values<std::int32_t>(all, "/model/element/first_vertex") == std::vector<std::int32_t>{0, 8});
   CHECK(values<double>(all, "/model/element/segment_size") == std::vector<double>{0.0, 0.0});  // as the fixture has them
   CHECK(values<std::uint8_t>(all, "/model/element/fixed") == std::vector<std::uint8_t>{0, 1});
@@ -84,7 +91,7 @@ TEST_CASE("the static datasets of two cubes") {
   CHECK(values<double>(all, "/model/vertex")[3 * 8] == doctest::Approx(0.1));
   CHECK(values<std::int32_t>(all, "/model/joint/element_b") == std::vector<std::int32_t>{1});
   CHECK(values<std::int32_t>(all, "/model/joint/law") == std::vector<std::int32_t>{1});
-  CHECK(find(all, "/model/law/name").texts == std::vector<std::string>{"dry", "normal"});
+  CHECK(all.open().read_strings("/model/law/name") == std::vector<std::string>{"dry", "normal"});
   CHECK(values<double>(all, "/model/law/tension") == std::vector<double>{0, 1.27e5});
 }
 
@@ -93,7 +100,7 @@ TEST_CASE("a bit that flips in the model's numbers is an error, not another numb
   const std::string path = folder.file("run.h5");
   std::vector<double> mass(5000);
   for (std::size_t i = 0; i < mass.size(); ++i) mass[i] = 10.0 + 1e-3 * static_cast<double>(i);
-  StaticDataset d{.name = "/model/element/mass", .shape = {mass.size()}, .bytes = {}, .texts = {}, .note = {"kg", "mass"}};
+  StaticDataset d{.name = "/model/element/mass", .shape = {mass.size()}, .bytes = {}, .source = {}, .note = {"kg", "mass"}};
   d.bytes.assign(reinterpret_cast<const std::byte*>(mass.data()), reinterpret_cast<const std::byte*>(mass.data() + mass.size()));
   {
     Hdf5File file = Hdf5File::create(path);
@@ -117,7 +124,7 @@ TEST_CASE("cells have the orientation that VTK asks for, whichever way the corne
       CAPTURE(turn);
       CAPTURE(corners);
       const cases::Model m = one_block(prism(corners, turn));
-      const auto all = model_datasets(m);
+      const ModelFile all(m);
       const auto cells = values<std::int32_t>(all, "/model/cells");
       const bool hexahedron = corners == 4;
       REQUIRE(cells.size() == 8U * (hexahedron ? 1U : static_cast<std::size_t>(corners - 2)));
@@ -143,7 +150,7 @@ TEST_CASE("any other polyhedron is tetrahedra that fill it, each the right way r
   pyramid.vertices[4] = {0.1, 0.2, 1.5};
   pyramid.faces = {{3, 2, 1, 0}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
   const cases::Model m = one_block(pyramid);
-  const auto all = model_datasets(m);
+  const ModelFile all(m);
   const auto types = values<std::uint8_t>(all, "/model/cell_type");
   const auto cells = values<std::int32_t>(all, "/model/cells");
   double volume = 0.0;
@@ -170,7 +177,7 @@ TEST_CASE("bars of meshes and decks: between which points, held by what, and whe
     return b;
   };
   m.ties = {bar("rod", -1, 0, 1, 0.5), bar("net", 0, 0, 1, std::numeric_limits<double>::infinity()), bar("net", 0, 1, 0, 0.01)};
-  const auto all = model_datasets(m);
+  const ModelFile all(m);
   CHECK(values<double>(all, "/model/tie_ends") == std::vector<double>{1, 2, 3, 1, 3, 0});
   CHECK(values<std::int32_t>(all, "/model/tie_element") == std::vector<std::int32_t>{0, geometry::kBase});
   CHECK(values<std::int64_t>(all, "/model/mesh_bars") == std::vector<std::int64_t>{2});
@@ -185,7 +192,7 @@ TEST_CASE("bars of meshes and decks: between which points, held by what, and whe
 TEST_CASE("an assembly that is not of the blocks is refused") {
   cases::Model m = two_cubes();
   m.joint_law.clear();
-  CHECK_THROWS_AS(model_datasets(m), std::invalid_argument);
+  CHECK_THROWS_AS(ModelFile{m}, std::invalid_argument);
 }
 
 }  // namespace voussoir::io
