@@ -39,7 +39,7 @@ void fill_element(const Part& part, int subject, Element& element, std::vector<F
 /// Grids of all faces, by element.
 struct FaceGrids {
   std::vector<PlacedGrid> placed;
-  std::vector<FaceGridStore> stores;  // by range of elements, so that no thread waits for another
+  std::shared_ptr<std::vector<FaceGridStore>> stores;  // by range of elements, so that no thread waits for another
 };
 
 /// Fills elements and faces of `out`; returns the grids of the faces.
@@ -55,10 +55,11 @@ FaceGrids make_elements(std::span<const Part> parts, int threads, Assembly& out)
     faces += count;
   }
   out.faces.resize(static_cast<std::size_t>(faces));
-  FaceGrids grids{std::vector<PlacedGrid>(static_cast<std::size_t>(faces)), std::vector<FaceGridStore>(range_count(parts.size()))};
+  FaceGrids grids{std::vector<PlacedGrid>(static_cast<std::size_t>(faces)),
+                  std::make_shared<std::vector<FaceGridStore>>(range_count(parts.size()))};
   for_ranges(parts.size(), threads, [&](std::size_t range, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i)
-      fill_element(parts[i], static_cast<int>(i), out.elements[i], out.faces, grids.placed, grids.stores[range]);
+      fill_element(parts[i], static_cast<int>(i), out.elements[i], out.faces, grids.placed, (*grids.stores)[range]);
   });
   return grids;
 }
@@ -93,6 +94,7 @@ Assembly assemble(std::span<const Part> parts, std::optional<double> base_z, Seg
   Assembly out;
   out.rule = rule;
   const FaceGrids grids = make_elements(parts, threads, out);
+  out.axes = grids.stores;
   std::vector<Box3> boxes;
   boxes.reserve(parts.size());
   for (const Part& part : parts) boxes.push_back(bounds(*part.shape));

@@ -18,18 +18,30 @@ namespace voussoir::geometry {
 /// Element index that stands for the base, the fixed half-space below z = base_z.
 inline constexpr std::int32_t kBase = -1;
 
-/// A plane frame in the reference configuration, global axes. `normal` = axis_s × axis_t, the outward normal of the master's face.
+/// Axes of a plane frame, global. `normal` = axis_s × axis_t, the outward normal of the master's face.
+struct FrameAxes {
+  Vec3 axis_s, axis_t, normal;
+};
+
+/// A plane frame in the reference configuration.
 struct Frame {
   Vec3 centre;  // m
   Vec3 axis_s, axis_t, normal;
 };
 
+/// A frame whose axes it shares with others: an Assembly has millions, of few directions.
+struct SharedFrame {
+  Vec3 centre;                      // m
+  const FrameAxes* axes = nullptr;  // valid as long as Assembly::axes
+
+  [[nodiscard]] Frame frame() const noexcept { return {centre, axes->axis_s, axes->axis_t, axes->normal}; }
+};
+
 /// All segments that two faces share from the start. `element_b` may be kBase (then side_b is empty, face_b = −1).
-/// The frame belongs to face_a; `centre` is the area centroid of the segments of side_a, so that Σ s dA = Σ t dA = 0 over side_a.
-struct Joint {
+/// The frame belongs to face_a; its centre is the area centroid of the segments of side_a, so that Σ s dA = Σ t dA = 0 over side_a.
+struct Joint : SharedFrame {
   std::int32_t element_a = 0, face_a = 0;
   std::int32_t element_b = 0, face_b = 0;
-  Frame frame;
   double area = 0.0;    // m2, of the overlap
   bool merged = false;  // the points of both sides coincide: side_a represents both, side_b is empty
   SegmentList side_a;   // segments mastered by face_a
@@ -40,9 +52,8 @@ struct Joint {
 /// Under SegmentRule::rim the free part of a face is cut into convex polygons, each with its area and points that keep a hundredth of the
 /// segment size inside its edges: neighbouring faces of a standing wall are flush, so round-off would decide whether a point on an edge is
 /// in contact.
-struct FreePatch {
+struct FreePatch : SharedFrame {
   std::int32_t element = 0, face = 0;
-  Frame frame;
   SegmentList segments;
 };
 
@@ -65,6 +76,7 @@ struct Assembly {
   std::vector<Joint> joints;  // sorted by (element_a, face_a, element_b, face_b); element_a < element_b, base joints: element_b = kBase
   std::vector<FreePatch> patches;                // by (element, face), ascending
   std::shared_ptr<const SegmentStore> segments;  // owner of the segments of joints and patches, which stay valid as long as the store lives
+  std::shared_ptr<const void> axes;              // owner of the axes of joints and patches, likewise
   SegmentRule rule = SegmentRule::centres;
 };
 

@@ -65,7 +65,8 @@ Polyhedron make_box(Vec3 low, Vec3 high) {
 }
 
 Polyhedron make_hexahedron(std::span<const Vec3, 8> vertices) {
-  return {{vertices.begin(), vertices.end()}, {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 3, 2, 1}, {4, 5, 6, 7}}};
+  static const FaceLoops kFaces = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 3, 2, 1}, {4, 5, 6, 7}};
+  return {{vertices.begin(), vertices.end()}, kFaces};
 }
 
 Polyhedron make_prism(std::span<const std::array<double, 2>> polygon_yz, double x0, double x1) {

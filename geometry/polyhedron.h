@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/face_loops.h"
 #include "geometry/vec3.h"
 
 namespace voussoir::geometry {
@@ -31,7 +32,7 @@ class ModelError : public std::runtime_error {
 /// cells.
 struct Polyhedron {
   std::vector<Vec3> vertices;
-  std::vector<std::vector<std::int32_t>> faces;
+  FaceLoops faces;
 };
 
 /// Axis-aligned box; faces in the order −x, +x, −y, +y, −z, +z; vertices in VTK hexahedron order.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 
+#include "geometry/assembly.h"
 #include "geometry/polygon.h"
 #include "geometry/polyhedron.h"
 
@@ -13,8 +14,7 @@ namespace voussoir::geometry {
 /// The cells of one face, but not where it lies. Its plane coordinates (s, t) [m] start at the corner of the bounding rectangle; s runs
 /// along the longest edge (the first of equals in the loop), t = normal × s. Corners lie on a raster of `quantum`, far finer than building
 /// tolerances, so that faces equal up to round-off have equal bits.
-struct FaceGrid {
-  Vec3 axis_s, axis_t, normal;
+struct FaceGrid : FrameAxes {
   Polygon polygon;                             // the face
   double width = 0.0, height = 0.0;            // m, of the rectangle
   std::int32_t columns = 1, rows = 1;          // n = max(1, round(edge / size))

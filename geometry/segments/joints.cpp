@@ -58,7 +58,7 @@ SidesByFace sort_sides(const Scene& scene, std::span<const Contact> contacts) {
 
 /// Moves segments, given relative to the corner of the face, to coordinates about their area centroid on the raster, and `others` by the
 /// same shift. Returns the frame there.
-Frame centre_on(const PlacedGrid& face, std::vector<Segment>& segments, std::vector<Segment>& others) {
+SharedFrame centre_on(const PlacedGrid& face, std::vector<Segment>& segments, std::vector<Segment>& others) {
   double area = 0.0, s = 0.0, t = 0.0;
   for (const Segment& x : segments) area += x.area, s += x.area * x.s, t += x.area * x.t;
   s /= area, t /= area;
@@ -68,7 +68,7 @@ Frame centre_on(const PlacedGrid& face, std::vector<Segment>& segments, std::vec
   move(segments);
   move(others);
   const FaceGrid& g = *face.grid;
-  return {face.origin + s * g.axis_s + t * g.axis_t, g.axis_s, g.axis_t, g.normal};
+  return {face.origin + s * g.axis_s + t * g.axis_t, face.grid};
 }
 
 void check_sum(const Contact& c, const std::vector<Segment>& side, const char* name) {
@@ -247,7 +247,7 @@ class FaceCutter {
       joint.merged = matcher_.coincide(*placed.grid, draft.side_a, draft.side_b);
       if (joint.merged) draft.side_b.clear();
     }
-    joint.frame = centre_on(placed, draft.side_a, draft.side_b);
+    static_cast<SharedFrame&>(joint) = centre_on(placed, draft.side_a, draft.side_b);
     joint.side_a = store_.keep(draft.side_a), joint.side_b = store_.keep(draft.side_b);
   }
 
@@ -273,8 +273,8 @@ class FaceCutter {
   void add_patch(std::int32_t element, std::int32_t face, const PlacedGrid& placed) {
     if (segments_.empty()) return;
     std::vector<Segment> none;
-    const Frame frame = centre_on(placed, segments_, none);
-    patches_.push_back({element, face, frame, store_.keep(segments_)});
+    const SharedFrame frame = centre_on(placed, segments_, none);
+    patches_.push_back({frame, element, face, store_.keep(segments_)});
   }
 
   const Scene& scene_;

@@ -110,8 +110,8 @@ class Beyond {
   Beyond(const Assembly& a, const Joint& j, const std::vector<std::vector<std::int32_t>>& near) : a_(a), j_(j), near_(near) {}
 
   [[nodiscard]] bool solid(Vec3 x, double before) const {
-    return within(j_.element_a, x - before * j_.frame.normal) &&
-           (j_.element_b == kBase || within(j_.element_b, x + before * j_.frame.normal));
+    return within(j_.element_a, x - before * j_.frame().normal) &&
+           (j_.element_b == kBase || within(j_.element_b, x + before * j_.frame().normal));
   }
 
  private:
@@ -127,14 +127,14 @@ class Beyond {
 
 /// Number of free edges at the two ends of an axis.
 int free_ends(const Joint& j, const Extent& e, int axis, const Beyond& beyond) {
-  const Vec3 along = axis == 0 ? j.frame.axis_s : j.frame.axis_t, across = axis == 0 ? j.frame.axis_t : j.frame.axis_s;
+  const Vec3 along = axis == 0 ? j.frame().axis_s : j.frame().axis_t, across = axis == 0 ? j.frame().axis_t : j.frame().axis_s;
   const double step = kBeside * std::min(e.edge(0), e.edge(1));
   int free = 0;
   for (const double end : {e.low[axis] - step, e.high[axis] + step}) {
     int held = 0;
     for (const double share : kPlaces) {
       const double at = e.low[1 - axis] + share * e.edge(1 - axis);
-      held += beyond.solid(j.frame.centre + end * along + at * across, step) ? 1 : 0;
+      held += beyond.solid(j.centre + end * along + at * across, step) ? 1 : 0;
     }
     free += held < kHeld ? 1 : 0;
   }

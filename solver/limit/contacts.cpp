@@ -67,7 +67,7 @@ std::vector<Vec3> points_of(const geometry::Joint& joint) {
   for (const auto* side : {&joint.side_a, &joint.side_b})
     for (const geometry::Segment& s : *side) points.push_back({s.s, s.t});
   std::vector<Vec3> all;
-  const geometry::Frame& f = joint.frame;
+  const geometry::Frame f = joint.frame();
   for (const std::size_t i : hull_corners(points)) all.push_back(f.centre + points[i].s * f.axis_s + points[i].t * f.axis_t);
   return all;
 }
@@ -81,13 +81,13 @@ double limit_friction(const cases::Model& model, std::size_t joint) {
 }
 
 Tangents limit_tangents(const geometry::Joint& joint, Vec3 normal, Vec3 live) {
-  for (const Vec3 wanted : {live, Vec3{0, 0, 1}, joint.frame.axis_s}) {
+  for (const Vec3 wanted : {live, Vec3{0, 0, 1}, joint.frame().axis_s}) {
     const Vec3 along = wanted - dot(wanted, normal) * normal;
     if (norm(along) <= kAcross) continue;
     const Vec3 first = normalised(along);
     return {first, cross(normal, first)};
   }
-  return {joint.frame.axis_s, joint.frame.axis_t};
+  return {joint.frame().axis_s, joint.frame().axis_t};
 }
 
 LimitContacts limit_contacts(const cases::Model& model, Vec3 live) {
@@ -101,7 +101,7 @@ LimitContacts limit_contacts(const cases::Model& model, Vec3 live) {
     if (has_bond(nth(model.laws, model.joint_law[j]).value)) ++out.bonded;
     const bool turned = a < 0;
     if (turned) std::swap(a, b);
-    const Vec3 normal = turned ? -joint.frame.normal : joint.frame.normal;
+    const Vec3 normal = turned ? -joint.frame().normal : joint.frame().normal;
     const Tangents axes = limit_tangents(joint, normal, live);
     for (const Vec3 at : points_of(joint))
       out.points.push_back({static_cast<std::int32_t>(j), a, b, at, normal, axes.first, axes.second, limit_friction(model, j)});

@@ -43,7 +43,7 @@ ForceCheck LimitModel::check_forces(const ModelForces& found, double dead, doubl
     out.over_friction = std::max(out.over_friction, (cone_.gauge({dot(shear, p.first), dot(shear, p.second)}) - limit) / unit);
     double near = std::numeric_limits<double>::infinity();
     for (const auto* side : {&joint.side_a, &joint.side_b})
-      for (const geometry::Segment& s : *side) near = std::min(near, norm(place(joint.frame, s) - p.at));
+      for (const geometry::Segment& s : *side) near = std::min(near, norm(place(joint.frame(), s) - p.at));
     out.off_joint = std::max(out.off_joint, near / forces_.length);
   }
   for (std::size_t k = 0; k < contacts_.ties.size(); ++k) {
@@ -87,12 +87,12 @@ MotionCheck LimitModel::check_motion(const std::vector<kernels::Twist>& motion) 
     if (a == b) continue;
     const bool turned = a < 0;
     if (turned) std::swap(a, b);
-    const Vec3 normal = turned ? -joint.frame.normal : joint.frame.normal;
+    const Vec3 normal = turned ? -joint.frame().normal : joint.frame().normal;
     const Tangents axes = limit_tangents(joint, normal, direction_);
     const double friction = limit_friction(model_, j);
     for (const auto* side : {&joint.side_a, &joint.side_b}) {
       for (const geometry::Segment& s : *side) {
-        const Vec3 where = place(joint.frame, s), v = speed(b, where, motion) - speed(a, where, motion);
+        const Vec3 where = place(joint.frame(), s), v = speed(b, where, motion) - speed(a, where, motion);
         const double open = dot(v, normal), needed = friction * cone_.support({dot(v, axes.first), dot(v, axes.second)});
         out.overlap = std::max(out.overlap, -open / out.fastest);
         out.deficit[j] = std::max(out.deficit[j], (needed - open) / out.fastest);
@@ -119,7 +119,8 @@ double LimitModel::lost_power(const ModelForces& found, const std::vector<kernel
   const std::vector<Vec3>& at_points = found.at_points;
   double lost = 0.0;
   for (std::size_t k = 0; k < contacts_.ties.size(); ++k) {
-    const double longer = stretching(contacts_.ties[k], contacts_, motion), held = longer > 0.0 ? contacts_.ties[k].most : contacts_.ties[k].least;
+    const double longer = stretching(contacts_.ties[k], contacts_, motion),
+                 held = longer > 0.0 ? contacts_.ties[k].most : contacts_.ties[k].least;
     lost += std::abs((std::isfinite(held) ? held - found.of_ties[k] : forces_.weight) * longer);
   }
   for (std::size_t i = 0; i < contacts_.points.size(); ++i) {

@@ -76,8 +76,8 @@ void set_up_patches(World& w) {
     kernels::Patch patch;
     patch.element = p.element;
     patch.face = e.first_face + p.face;
-    patch.centre = p.frame.centre - e.mass.centroid;
-    patch.es = p.frame.axis_s, patch.et = p.frame.axis_t;
+    patch.centre = p.centre - e.mass.centroid;
+    patch.es = p.frame().axis_s, patch.et = p.frame().axis_t;
     patch.s_low = patch.t_low = 1e300, patch.s_high = patch.t_high = -1e300;
     for (const geometry::Segment& s : p.segments) {
       patch.s_low = std::min(patch.s_low, s.s), patch.s_high = std::max(patch.s_high, s.s);

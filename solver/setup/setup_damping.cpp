@@ -134,10 +134,10 @@ void add_segments(const geometry::Assembly& a, DampingMatrices& matrices, std::i
     if (first <= element && element < last) matrices.add(element, face, frame, segments);
   };
   for (const geometry::Joint& j : a.joints) {
-    add(j.element_a, j.face_a, j.frame, j.side_a);
-    if (j.element_b != geometry::kBase) add(j.element_b, j.face_b, j.frame, j.merged ? j.side_a : j.side_b);
+    add(j.element_a, j.face_a, j.frame(), j.side_a);
+    if (j.element_b != geometry::kBase) add(j.element_b, j.face_b, j.frame(), j.merged ? j.side_a : j.side_b);
   }
-  for (const geometry::FreePatch& p : a.patches) add(p.element, p.face, p.frame, p.segments);
+  for (const geometry::FreePatch& p : a.patches) add(p.element, p.face, p.frame(), p.segments);
 }
 
 }  // namespace

@@ -84,10 +84,10 @@ void for_each_side(const World& w, geometry::SegmentStore& store, const Take& ta
     side.slave_face = on_base ? nth(w.elements.first_face, w.elements.base) : face(j.element_b, j.face_b);
     side.faces = both ? 2 : 1, side.factor = one ? 1.0 : 0.5;
     side.segments = j.side_a;
-    take(side, j.frame);
+    take(side, j.frame());
     if (one) continue;
     std::swap(side.master, side.slave), std::swap(side.master_face, side.slave_face);
-    geometry::Frame frame = j.frame;
+    geometry::Frame frame = j.frame();
     side.segments = store.keep(turned_round(j.merged ? j.side_a : j.side_b, frame));
     take(side, frame);
   }

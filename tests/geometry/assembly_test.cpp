@@ -30,9 +30,9 @@ TEST_SUITE("assembly") {
     CHECK(j.merged);
     CHECK(j.side_a.size() == 32);
     CHECK(j.area == relative(0.02, 1e-10));
-    CHECK(near(j.frame.centre, {0.1, 0.05, 0.1}, 1e-12));
-    CHECK(j.frame.normal == Vec3{0, 0, 1});
-    CHECK(near(point_of(j.frame, j.side_a[0]), {0.0125, 0.0125, 0.1}, 1e-12));
+    CHECK(near(j.centre, {0.1, 0.05, 0.1}, 1e-12));
+    CHECK(j.frame().normal == Vec3{0, 0, 1});
+    CHECK(near(point_of(j.frame(), j.side_a[0]), {0.0125, 0.0125, 0.1}, 1e-12));
     CHECK(near(j.side_a[1].s - j.side_a[0].s, 0.025, 2e-12));
     CHECK(a.patches.size() == 10);
     CHECK(free_area(a, 0, 5) == 0.0);
@@ -57,7 +57,7 @@ TEST_SUITE("assembly") {
     REQUIRE(a.joints.size() == 1);
     CHECK(a.joints[0].merged);
     CHECK(a.joints[0].side_a.size() == 16);
-    CHECK(near(a.joints[0].frame.centre, {0.15, 0.05, 0.1}, 1e-12));
+    CHECK(near(a.joints[0].centre, {0.15, 0.05, 0.1}, 1e-12));
     CHECK(free_area(a, 0, 5) == relative(0.01, 1e-10));
     CHECK(free_area(a, 1, 4) == relative(0.01, 1e-10));
   }
@@ -75,7 +75,7 @@ TEST_SUITE("assembly") {
     // Both sides in one frame: the same centroid, and every point inside the overlap.
     for (const auto* side : {&j.side_a, &j.side_b}) {
       for (const Segment& x : *side) {
-        const Vec3 p = point_of(j.frame, x);
+        const Vec3 p = point_of(j.frame(), x);
         CHECK((p.x > off && p.x < 0.2 && p.y > 0.01 && p.y < 0.1));
         CHECK(near(p.z, 0.1, 1e-12));
       }
@@ -119,10 +119,10 @@ TEST_SUITE("assembly") {
     // First moments close too: the face's centroid is the mean of its joints and its patch.
     Vec3 moment;
     for (const Joint& j : a.joints) {
-      if (j.element_a == 0 && j.face_a == 5) moment += j.area * j.frame.centre;
+      if (j.element_a == 0 && j.face_a == 5) moment += j.area * j.centre;
     }
     for (const FreePatch& p : a.patches) {
-      if (p.element == 0 && p.face == 5) moment += sum_of_areas(p.segments) * p.frame.centre;
+      if (p.element == 0 && p.face == 5) moment += sum_of_areas(p.segments) * p.centre;
     }
     CHECK(near(moment / 0.04, {0.2, 0.05, 0.1}, 1e-10));
   }
@@ -139,7 +139,7 @@ TEST_SUITE("assembly") {
     CHECK(a.joints[1].area == relative(0.005, 1e-10));
     CHECK_FALSE(a.joints[0].merged);
     CHECK(a.joints[0].side_b.size() == 16);
-    CHECK(near(a.joints[0].frame.centre, {0.15, 0.15, 0.1}, 1e-11));
+    CHECK(near(a.joints[0].centre, {0.15, 0.15, 0.1}, 1e-11));
   }
 
   TEST_CASE("a joint at any angle in space is the same joint") {
@@ -210,8 +210,8 @@ TEST_SUITE("assembly") {
     CHECK_FALSE(j.merged);
     CHECK(j.side_a.size() == 32);
     CHECK(j.side_b.empty());
-    CHECK(j.frame.normal == Vec3{0, 0, -1});
-    CHECK(near(j.frame.centre, {0.1, 0.05, -1.5}, 1e-12));
+    CHECK(j.frame().normal == Vec3{0, 0, -1});
+    CHECK(near(j.centre, {0.1, 0.05, -1.5}, 1e-12));
     CHECK(free_area(a, 0, 4) == 0.0);
     // Above the base, or on an edge: no joint.
     CHECK(assemble_all({box_at({0, 0, 2e-6}, {1, 1, 1})}, 0.5, 0.0).joints.empty());

@@ -35,9 +35,9 @@ inline void check_invariants(const Assembly& a) {
     CHECK(near(m.s, 0.0, 1e-12 * j.area));
     CHECK(near(m.t, 0.0, 1e-12 * j.area));
     const Face& face = face_of(a, j.element_a, j.face_a);
-    CHECK(near(j.frame.normal, face.normal, 1e-14));
-    CHECK(near(cross(j.frame.axis_s, j.frame.axis_t), j.frame.normal, 1e-14));
-    CHECK(near(dot(face.normal, j.frame.centre), face.offset, 1e-9));
+    CHECK(near(j.frame().normal, face.normal, 1e-14));
+    CHECK(near(cross(j.frame().axis_s, j.frame().axis_t), j.frame().normal, 1e-14));
+    CHECK(near(dot(face.normal, j.centre), face.offset, 1e-9));
     joined[{j.element_a, j.face_a}] += j.area;
     if (j.element_b != kBase) joined[{j.element_b, j.face_b}] += j.area;
   }

@@ -42,12 +42,12 @@ void check_equal(const Assembly& a, const Assembly& b) {
   for (std::size_t i = 0; i < a.joints.size(); ++i) {
     const Joint &x = a.joints[i], &y = b.joints[i];
     different += x.element_a != y.element_a || x.face_a != y.face_a || x.element_b != y.element_b || x.face_b != y.face_b;
-    different += !same_frame(x.frame, y.frame) || x.area != y.area || x.merged != y.merged;
+    different += !same_frame(x.frame(), y.frame()) || x.area != y.area || x.merged != y.merged;
     different += !same(x.side_a, y.side_a) || !same(x.side_b, y.side_b);
   }
   for (std::size_t i = 0; i < a.patches.size(); ++i) {
     const FreePatch &x = a.patches[i], &y = b.patches[i];
-    different += x.element != y.element || x.face != y.face || !same_frame(x.frame, y.frame) || !same(x.segments, y.segments);
+    different += x.element != y.element || x.face != y.face || !same_frame(x.frame(), y.frame()) || !same(x.segments, y.segments);
   }
   CHECK(different == 0);
 }

@@ -217,7 +217,7 @@ TEST_SUITE("assembly to the rim") {
     CHECK(j.side_b.empty());
     for (const double x : {0.04, 0.2}) {
       for (const double y : {0.01, 0.1}) {
-        CHECK(std::ranges::any_of(j.side_a, [&](const Segment& p) { return near(point_of(j.frame, p), {x, y, 0.1}, 1e-11); }));
+        CHECK(std::ranges::any_of(j.side_a, [&](const Segment& p) { return near(point_of(j.frame(), p), {x, y, 0.1}, 1e-11); }));
       }
     }
     double ss = 0.0;
@@ -245,7 +245,7 @@ TEST_SUITE("assembly to the rim") {
     REQUIRE(patch != a.patches.end());
     for (const Segment& p : patch->segments) {
       CHECK(p.area > 0.0);
-      const Vec3 at = point_of(patch->frame, p);
+      const Vec3 at = point_of(patch->frame(), p);
       CHECK((at.x > 2e-4 && at.x < 0.4 - 2e-4 && at.y > 2e-4 && at.y < 0.1 - 2e-4));
       CHECK_FALSE((at.x < 0.13 + 2e-4));
       CHECK_FALSE((at.x < 0.25 + 2e-4 && at.y < 0.05 + 2e-4));
@@ -259,7 +259,7 @@ TEST_SUITE("assembly to the rim") {
     const Joint* bed = nullptr;
     for (const Joint& j : a.joints) {
       CHECK(j.merged == (j.element_b != kBase));
-      if (std::abs(j.frame.normal.z) < 0.5 || j.element_b == kBase) continue;
+      if (std::abs(j.frame().normal.z) < 0.5 || j.element_b == kBase) continue;
       if (bed != nullptr) CHECK(same(j.side_a, bed->side_a));
       bed = &j;
     }

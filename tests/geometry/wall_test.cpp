@@ -38,7 +38,7 @@ TEST_SUITE("walls") {
       for (std::size_t k = 0; k < here.joints.size(); ++k) {
         const Joint &a = here.joints[k], &b = there.joints[k];
         CHECK(a.merged == b.merged);
-        CHECK(near(b.frame.centre - far, a.frame.centre, 1e-12));
+        CHECK(near(b.centre - far, a.centre, 1e-12));
         CHECK(b.area == relative(a.area, 1e-10));
         CHECK(a.side_a.size() == b.side_a.size());
         if (exact) CHECK(same(a.side_a, b.side_a));
@@ -53,8 +53,8 @@ TEST_SUITE("walls") {
     check_invariants(b);
     REQUIRE(a.joints.size() == b.joints.size());
     for (std::size_t k = 0; k < a.joints.size(); ++k) {
-      const Vec3 c = a.joints[k].frame.centre;
-      CHECK(near(b.joints[k].frame.centre, {-c.x, c.y, c.z}, 1e-11));
+      const Vec3 c = a.joints[k].centre;
+      CHECK(near(b.joints[k].centre, {-c.x, c.y, c.z}, 1e-11));
       CHECK(b.joints[k].area == relative(a.joints[k].area, 1e-10));
       CHECK(b.joints[k].merged == a.joints[k].merged);
     }

@@ -76,8 +76,9 @@ inline cases::Model two_cubes() {
   geometry::Joint j;
   j.element_a = 0, j.face_a = 1, j.element_b = 1, j.face_b = 0;
   j.area = 0.01;
-  j.frame.centre = {0.1, 0.05, 0.05};
-  j.frame.normal = {1, 0, 0};
+  j.centre = {0.1, 0.05, 0.05};
+  static const geometry::FrameAxes kAxes{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
+  j.axes = &kAxes;
   m.assembly.joints.push_back(j);
   m.joint_law = {1};
   return m;

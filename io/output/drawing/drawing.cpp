@@ -171,11 +171,13 @@ class Drawing {
   [[nodiscard]] std::vector<VisibleFace> visible(const Frame& frame) const {
     std::vector<VisibleFace> faces;
     for (const geometry::FreePatch& patch : model_.assembly.patches) {
-      if (dot(patch.frame.normal, frame.view().into) > -1e-6) continue;
+      if (dot(patch.frame().normal, frame.view().into) > -1e-6) continue;
       const auto element = static_cast<std::size_t>(patch.element);
       const geometry::Polyhedron& shape = model_.blocks[element].shape;
-      VisibleFace face{
-          frame.depth(geometry::face_plane(shape, patch.face).centroid), {}, element, dot(patch.frame.normal, frame.view().into) < -0.999};
+      VisibleFace face{frame.depth(geometry::face_plane(shape, patch.face).centroid),
+                       {},
+                       element,
+                       dot(patch.frame().normal, frame.view().into) < -0.999};
       for (const std::int32_t v : nth(shape.faces, patch.face)) face.corners.push_back(frame.at(nth(shape.vertices, v)));
       faces.push_back(std::move(face));
     }

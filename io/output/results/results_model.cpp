@@ -178,8 +178,8 @@ void write_joints(const cases::Model& model, Hdf5File& file) {
   add("/model/joint/face_b", &Joint::face_b, "face of element_b, counted from its first; -1: the base");
   put(file, "/model/joint/law", model.joint_law, 1, "1", "row of /model/law");
   put(file, "/model/joint/area", each<double>(joints, &Joint::area), 1, "m2", "area that the two faces share");
-  const auto centre = [](const Joint& j) { return j.frame.centre; };
-  const auto normal = [](const Joint& j) { return j.frame.normal; };
+  const auto centre = [](const Joint& j) { return j.centre; };
+  const auto normal = [](const Joint& j) { return j.frame().normal; };
   put(file, "/model/joint/centre", each_vector(joints, centre), 3, "m", "centre of the joint in the reference configuration");
   put(file, "/model/joint/normal", each_vector(joints, normal), 3, "1", "unit normal in the reference configuration, out of element_a");
 }

@@ -95,7 +95,7 @@ TEST_CASE("walls begin upon the part of the base that they stand on") {
       CHECK(j.merged);
       CHECK(j.side_b.empty());
       CHECK(m.laws[static_cast<std::size_t>(m.joint_law[k])].name == "normal");
-      ++(std::abs(j.frame.normal.z) > 0.5 ? beneath : beside);
+      ++(std::abs(j.frame().normal.z) > 0.5 ? beneath : beside);
     }
     CHECK(beneath > 50);
     CHECK(beside > 10);

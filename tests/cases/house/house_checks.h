@@ -42,8 +42,8 @@ inline void check_joint_areas(const Model& m) {
     worst_side = std::max(worst_side, std::abs(area_of(j.side_a) / j.area - 1.0));
     if (j.element_b == geometry::kBase) continue;
     if (!j.merged) worst_side = std::max(worst_side, std::abs(area_of(j.side_b) / j.area - 1.0));
-    const geometry::Polygon a = in_frame(m.blocks[static_cast<std::size_t>(j.element_a)].shape, j.face_a, j.frame);
-    geometry::Polygon b = in_frame(m.blocks[static_cast<std::size_t>(j.element_b)].shape, j.face_b, j.frame);
+    const geometry::Polygon a = in_frame(m.blocks[static_cast<std::size_t>(j.element_a)].shape, j.face_a, j.frame());
+    geometry::Polygon b = in_frame(m.blocks[static_cast<std::size_t>(j.element_b)].shape, j.face_b, j.frame());
     std::reverse(b.begin(), b.end());  // seen from the other side
     const double overlap = geometry::region(geometry::intersection(a, b)).area;
     worst_overlap = std::max(worst_overlap, std::abs(overlap - j.area) / (std::abs(overlap) + 1e-4));
@@ -92,7 +92,7 @@ inline void check_nothing_unjoined(const Model& m) {
     if (patch.segments.size() == 1 && whole < 0.75 * cell * cell) continue;  // what a foot left of a face about it
     for (const geometry::Segment& s : patch.segments) {
       if (s.area < 0.9 * whole || s.area < kNoArea) continue;
-      const Vec3 p = patch.frame.centre + s.s * patch.frame.axis_s + s.t * patch.frame.axis_t + 1e-5 * patch.frame.normal;
+      const Vec3 p = patch.centre + s.s * patch.frame().axis_s + s.t * patch.frame().axis_t + 1e-5 * patch.frame().normal;
       near.clear();
       grid.query({p, p}, near);
       unjoined += static_cast<int>(std::count_if(near.begin(), near.end(), [&](std::int32_t e) { return is_inside(m, e, p); }));

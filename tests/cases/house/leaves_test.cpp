@@ -66,7 +66,7 @@ Collar collar_of(const Model& m) {
   const auto box = [&](std::int32_t e) { return geometry::bounds(m.blocks[static_cast<std::size_t>(e)].shape); };
   for (std::size_t i = 0; i < m.assembly.joints.size(); ++i) {
     const geometry::Joint& j = m.assembly.joints[i];
-    if (j.element_b == geometry::kBase || std::abs(j.frame.normal.y) < 0.5) continue;
+    if (j.element_b == geometry::kBase || std::abs(j.frame().normal.y) < 0.5) continue;
     const Block &a = m.blocks[static_cast<std::size_t>(j.element_a)], &b = m.blocks[static_cast<std::size_t>(j.element_b)];
     if (a.tag != "front wall" || b.tag != "front wall") continue;
     const double plane = std::max(box(j.element_a).low.y, box(j.element_b).low.y);

@@ -74,11 +74,11 @@ TEST_CASE("rafters: pairs from end to end of the house, seated on both walls, me
   for (const std::size_t i :
        joints_of(m, [](const Block&a, const Block&b) { return is_rafter(a) && is_rafter(b) && a.member < b.member; })) {
     CHECK(m.laws[static_cast<std::size_t>(m.joint_law[i])].name == "normal");
-    CHECK(std::abs(m.assembly.joints[i].frame.normal.y) == doctest::Approx(1.0).epsilon(1e-9));
+    CHECK(std::abs(m.assembly.joints[i].frame().normal.y) == doctest::Approx(1.0).epsilon(1e-9));
     ridge += m.assembly.joints[i].area;
   }
   for (const std::size_t i : joints_of(m, [](const Block&a, const Block&b) { return is_rafter(a) && b.kind == PartKind::brick; }))
-    if (std::abs(m.assembly.joints[i].frame.normal.z) > 0.999) seats += m.assembly.joints[i].area;
+    if (std::abs(m.assembly.joints[i].frame().normal.z) > 0.999) seats += m.assembly.joints[i].area;
   CHECK(ridge == doctest::Approx(4 * 0.08 * 0.16 / std::cos(kPitch)).epsilon(1e-9));
   CHECK(seats == doctest::Approx(8 * 0.08 * 0.08 / std::sin(kPitch)).epsilon(1e-9));  // half the depth over the slope
 }

@@ -126,7 +126,7 @@ TEST_CASE("upright joints of rubble do not run through two courses") {
   for (const geometry::Joint& a : m.assembly.joints) {
     if (a.element_b < 0) continue;
     const Block &x = m.blocks[static_cast<std::size_t>(a.element_a)], &y = m.blocks[static_cast<std::size_t>(a.element_b)];
-    if (x.tag != "rear wall" || y.tag != "rear wall" || std::abs(a.frame.normal.z) < 0.9) continue;
+    if (x.tag != "rear wall" || y.tag != "rear wall" || std::abs(a.frame().normal.z) < 0.9) continue;
     ++joints;
     const geometry::Box3 p = geometry::bounds(x.shape), q = geometry::bounds(y.shape);
     near += std::min(p.high.x, q.high.x) - std::max(p.low.x, q.low.x) < 0.03 ? 1 : 0;

@@ -122,7 +122,7 @@ TEST_CASE("inner walls: the bricks of a junction are bonded over half a brick") 
   const Model m = build_model(c);
   int beds = 0;
   for (const geometry::Joint& j : m.assembly.joints) {
-    if (j.element_b == geometry::kBase || std::abs(j.frame.normal.z) < 0.5) continue;
+    if (j.element_b == geometry::kBase || std::abs(j.frame().normal.z) < 0.5) continue;
     const std::string &a = m.blocks[static_cast<std::size_t>(j.element_a)].tag, &b = m.blocks[static_cast<std::size_t>(j.element_b)].tag;
     const bool of_both = (a.starts_with("front") && b.starts_with("middle")) || (a.starts_with("middle") && b.starts_with("front"));
     if (!of_both) continue;

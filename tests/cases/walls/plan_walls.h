@@ -53,9 +53,10 @@ inline void check_stands(const cases::Model& m) {
   const std::size_t n = m.blocks.size();
   geometry::DisjointSets sets(n + 1);
   for (const geometry::Joint& j : m.assembly.joints) {
-    const cases::Block &a = m.blocks[static_cast<std::size_t>(j.element_a)], &b = m.blocks[static_cast<std::size_t>(std::max(0, j.element_b))];
+    const cases::Block &a = m.blocks[static_cast<std::size_t>(j.element_a)],
+                       &b = m.blocks[static_cast<std::size_t>(std::max(0, j.element_b))];
     const bool of_arch = a.kind == cases::PartKind::arch_stone, of_beam = a.member >= 0 && j.element_b >= 0 && a.member == b.member;
-    if (std::abs(j.frame.normal.z) < 0.99 && !of_arch && !of_beam) continue;
+    if (std::abs(j.frame().normal.z) < 0.99 && !of_arch && !of_beam) continue;
     sets.join(static_cast<std::size_t>(j.element_a), j.element_b == geometry::kBase ? n : static_cast<std::size_t>(j.element_b));
   }
   std::size_t loose = 0;
@@ -71,8 +72,8 @@ inline double joints_that_go_on(const cases::Model& m) {
   };
   std::vector<Line> lines;
   for (const geometry::Joint& j : m.assembly.joints) {
-    if (j.element_b == geometry::kBase || std::abs(j.frame.normal.z) > 0.01) continue;
-    Line l{j.frame.normal, j.frame.centre, 1e9, -1e9, -1e9, 1e9};
+    if (j.element_b == geometry::kBase || std::abs(j.frame().normal.z) > 0.01) continue;
+    Line l{j.frame().normal, j.centre, 1e9, -1e9, -1e9, 1e9};
     const Vec3 along{-l.normal.y, l.normal.x, 0.0};
     const cases::Block& a = m.blocks[static_cast<std::size_t>(j.element_a)];
     for (const std::int32_t v : a.shape.faces[static_cast<std::size_t>(j.face_a)]) {
@@ -100,7 +101,7 @@ inline double joints_that_go_on(const cases::Model& m) {
 inline void check_bonded(const cases::Model& m, bool joints_go_on = false) {
   geometry::DisjointSets sets(m.blocks.size());
   for (const geometry::Joint& j : m.assembly.joints) {
-    if (j.element_b != geometry::kBase && std::abs(j.frame.normal.z) > 0.99)
+    if (j.element_b != geometry::kBase && std::abs(j.frame().normal.z) > 0.99)
       sets.join(static_cast<std::size_t>(j.element_a), static_cast<std::size_t>(j.element_b));
   }
   std::size_t parts = 0;

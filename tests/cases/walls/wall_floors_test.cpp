@@ -28,7 +28,7 @@ Case room(double lean = 0.0) {
 std::map<std::string, double> seats(const Model& m) {
   std::map<std::string, double> area;
   for (const geometry::Joint& j : m.assembly.joints) {
-    if (j.element_b == geometry::kBase || std::abs(j.frame.normal.z) < 0.99) continue;
+    if (j.element_b == geometry::kBase || std::abs(j.frame().normal.z) < 0.99) continue;
     auto beam = static_cast<std::size_t>(j.element_a), brick = static_cast<std::size_t>(j.element_b);
     if (m.blocks[beam].span < 0) std::swap(beam, brick);
     if (m.blocks[beam].span < 0 || m.blocks[brick].span >= 0) continue;

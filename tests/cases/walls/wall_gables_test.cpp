@@ -154,7 +154,7 @@ TEST_CASE("a pitched roof between walls: gables reach up to the rafters, and raf
       const Block *a = &m.blocks[static_cast<std::size_t>(j.element_a)], *b = &m.blocks[static_cast<std::size_t>(j.element_b)];
       if ((a->span < 0) == (b->span < 0)) continue;
       const std::string& on = a->span < 0 ? a->tag : b->tag;
-      (std::abs(j.frame.normal.z) > 0.99 ? seats : slopes) += j.area;
+      (std::abs(j.frame().normal.z) > 0.99 ? seats : slopes) += j.area;
       feet += on == "outer 2 gable" || on == "outer 4 gable" ? 0.0 : j.area;
     }
     const double pairs = static_cast<double>(rafters.size()) / 2.0;

@@ -210,7 +210,7 @@ TEST_CASE("congruent sides share their constants, which fit the place of each") 
     const auto i = static_cast<std::size_t>(id);
     if (s.joint[i] < 0) continue;
     const kernels::Side side = s.side(id);
-    const Vec3 centre = m.assembly.joints[static_cast<std::size_t>(s.joint[i])].frame.centre;
+    const Vec3 centre = m.assembly.joints[static_cast<std::size_t>(s.joint[i])].centre;
     CHECK(norm(centroid(side.master) + side.ca - centre) < 1e-11);
     CHECK(norm(centroid(side.slave) + side.cb - centre) < 1e-11);
     const kernels::PointsView points = w->points.view(s.set[i]);

@@ -66,8 +66,8 @@ class Shifted {
       const geometry::Joint& joint = model_.assembly.joints[j];
       if (above(joint.element_a) == above(joint.element_b)) continue;
       joints.insert(j);
-      rows.push_back({time, static_cast<std::int32_t>(j), joint.element_a, joint.element_b, joint.frame.centre, joint.frame.normal,
-                      joint.area, solver::FailureMode::tension, solver::FailureMode::tension, time});
+      rows.push_back({time, static_cast<std::int32_t>(j), joint.element_a, joint.element_b, joint.centre, joint.frame().normal, joint.area,
+                      solver::FailureMode::tension, solver::FailureMode::tension, time});
     }
     results_->cracks(rows);
     return joints;
@@ -186,7 +186,7 @@ TEST_CASE("assess: widths of a crack that opens by 1 mm and slides by 2 mm; its 
   const std::string colour = std::string("stroke=\"") + kCrackClasses[2].colour;  // 1 to 5 mm
   CHECK(count(map, colour) == 1 + [&] {
     std::size_t on_face = 0;  // one edge a joint lies on the outer face, and one in the legend
-    for (const std::size_t j : bed) on_face += run.model().assembly.joints[j].frame.centre.y < 0.11 ? 1 : 0;
+    for (const std::size_t j : bed) on_face += run.model().assembly.joints[j].centre.y < 0.11 ? 1 : 0;
     return on_face;
   }());
   CHECK(map.find("cracks at 1.000 s, seen from outside") != std::string::npos);

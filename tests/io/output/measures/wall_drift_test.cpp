@@ -19,7 +19,7 @@ std::vector<std::size_t> first_bed(const Hut& hut, const std::string& tag) {
   const cases::Model& m = hut.model();
   for (std::size_t j = 0; j < m.assembly.joints.size(); ++j) {
     const geometry::Joint& joint = m.assembly.joints[j];
-    const bool level = std::abs(joint.frame.normal.z) > 0.9 && std::abs(joint.frame.centre.z - 0.1) < 1e-6;
+    const bool level = std::abs(joint.frame().normal.z) > 0.9 && std::abs(joint.centre.z - 0.1) < 1e-6;
     if (level && hut.tag(static_cast<std::size_t>(joint.element_a)) == tag && hut.tag(static_cast<std::size_t>(joint.element_b)) == tag)
       found.push_back(j);
   }

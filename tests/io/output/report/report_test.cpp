@@ -235,7 +235,7 @@ TEST_CASE("an edge along a face that a joint covers is inside the masonry") {
   cases::Model m = two_cubes();
   geometry::Joint on_top = m.assembly.joints[0];  // of the base under the first cube: its lower face is covered
   on_top.element_b = -1, on_top.face_a = 4;
-  on_top.frame.centre = {0.05, 0.05, 0};
+  on_top.centre = {0.05, 0.05, 0};
   m.assembly.joints.push_back(on_top);
   m.joint_law.push_back(1);
   ResultsWriter(folder.path(), m, kCase, kNames, {}, by_hand()).finish();
@@ -308,7 +308,7 @@ TEST_CASE("a hinge between two bodies goes with the elements at its ends") {
   const geometry::Joint joint = m.assembly.joints[0];
   m.assembly.joints.assign(3, joint);
   m.joint_law.assign(3, m.joint_law[0]);
-  for (int i = 0; i < 3; ++i) m.assembly.joints[static_cast<std::size_t>(i)].frame.centre.y = 0.05 + 0.2 * (i - 1);
+  for (int i = 0; i < 3; ++i) m.assembly.joints[static_cast<std::size_t>(i)].centre.y = 0.05 + 0.2 * (i - 1);
   ResultsWriter writer(folder.path(), m, kCase, kNames, {}, by_hand());
   const std::array<float, 8> upright{1, 0, 0, 0, 1, 0, 0, 0};
   writer.frame({0.0, std::array<float, 6>{}, upright, std::array<float, 2>{}});

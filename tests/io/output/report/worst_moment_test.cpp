@@ -82,7 +82,7 @@ TEST_CASE("the page lists the cracks at the end with their widths in every frame
   for (std::size_t j = 0; j < m.assembly.joints.size(); ++j) {
     const geometry::Joint& joint = m.assembly.joints[j];
     const auto tag = [&](std::int32_t e) { return e < 0 ? std::string() : hut.tag(static_cast<std::size_t>(e)); };
-    if (std::abs(joint.frame.normal.z) > 0.9 && std::abs(joint.frame.centre.z - 0.2) < 1e-6 && tag(joint.element_a) == "front wall" &&
+    if (std::abs(joint.frame().normal.z) > 0.9 && std::abs(joint.centre.z - 0.2) < 1e-6 && tag(joint.element_a) == "front wall" &&
         tag(joint.element_b) == "front wall")
       hut.crack_whole_joint(0.05, j);
   }
