@@ -317,6 +317,13 @@ Model build_model(const Case& c, int threads) {
   return std::move(laid.model);
 }
 
+void forget_joints(Model& model) noexcept {
+  geometry::Assembly& a = model.assembly;
+  a.joints = std::vector<geometry::Joint>();
+  a.patches = std::vector<geometry::FreePatch>();
+  a.segments.reset(), a.axes.reset();
+}
+
 std::int32_t nearest_element(const Model& model, Vec3 point) noexcept {
   // Points often lie midway between two bricks; without a tolerance round-off would decide.
   constexpr double kTie = 1e-9;  // m

@@ -139,6 +139,10 @@ struct Model {
 /// the name or tag of the block.
 Model build_model(const Case& c, int threads = 1);
 
+/// Frees the joints and free patches of the assembly, which the steps of a run do not need: a fifth of the model.
+/// \pre what is set up, or writes the model, has been
+void forget_joints(Model& model) noexcept;
+
 /// The element whose centroid is nearest to `point` [m, global]; the lowest number among elements equally near (to 1 nm).
 /// \pre the model has an element
 std::int32_t nearest_element(const Model& model, Vec3 point) noexcept;

@@ -44,6 +44,17 @@ Pairs joined_pairs(const World& w) {
   return pairs;
 }
 
+/// The same by sides, once they are there: a run forgets the joints of its model.
+Pairs pairs_of_sides(const World& w) {
+  Pairs pairs;
+  for (std::size_t id = 0; id < w.sides.joint.size(); ++id) {
+    const kernels::SideBlock& block = w.sides.blocks[id / kernels::kLanes];
+    const std::int32_t slave = block.slave[id % kernels::kLanes];
+    if (w.sides.joint[id] >= 0 && slave != w.elements.base) pairs.emplace_back(block.master[id % kernels::kLanes], slave);
+  }
+  return pairs;
+}
+
 /// By row: the lowest own level among an element, its neighbours and theirs; then graded.
 std::vector<std::uint8_t> levels_of_joints(const std::vector<std::uint8_t>& own, const Pairs& joined) {
   std::vector<std::uint8_t> level = own;
@@ -85,8 +96,8 @@ std::optional<double> share_evaluated(const World& w, const cases::Case& c, int 
   other.time.multirate = multirate;
   if (other.multirate() != multirate || turning_support(w.model) != nullptr) return std::nullopt;
   const std::vector<std::int32_t> every = steps_by_level(multirate);
-  const double dt = choose_step(other, {}, cases::census(w.model).step_bound);
-  const std::vector<std::uint8_t> level = levels_of_joints(own_levels(w, every, dt, share_of_bound(c)), joined_pairs(w));
+  const double dt = choose_step(other, {}, w.bound);
+  const std::vector<std::uint8_t> level = levels_of_joints(own_levels(w, every, dt, share_of_bound(c)), pairs_of_sides(w));
   double evaluated = 0.0, moving = 0.0;
   for (std::size_t e = 0; e < static_cast<std::size_t>(w.elements.count); ++e) {
     if (!w.elements.fixed[e]) evaluated += 1.0 / nth(every, level[e]), moving += 1.0;

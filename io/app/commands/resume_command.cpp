@@ -164,6 +164,8 @@ int resume(const ResumeOptions& o) {
   keep.motion = motion_datasets(r->value, r->facts.motion, r->sim->dt(), r->sim->cycle());
   std::ranges::move(load_datasets(r->value, r->sim->world().model), std::back_inserter(keep.motion));
   ResultsWriter results(folder.path(), r->model, resolved, history_names(r->value), provenance(r->sim->threads()), keep);
+  cases::forget_joints(r->model);
+  give_memory_back();
   folder.write_case(resolved);  // after the results are known to be intact
   Checkpoints checkpoints(folder.path(), facts_of(*r->sim, resolved, r->facts.motion, r->facts.reference_kernels), o.checkpoints, r->path);
   if (!o.quiet) say_info("going on from " + r->path + geometry::printed(", at %.4f s", r->facts.time));

@@ -20,6 +20,7 @@
 #include "io/app/session/exit_code.h"
 #include "io/app/session/likely_slips.h"
 #include "io/app/session/prepared_case.h"
+#include "io/app/session/process.h"
 #include "io/app/session/run_extent.h"
 #include "io/app/session/session.h"
 #include "io/app/session/verify_run.h"
@@ -56,7 +57,7 @@ void warn_of_step(const cases::Case& c, const cases::Model& model, double dt) {
 /// \throw cases::InputError, FileError before anything runs; FileError later if results cannot be written
 int run(const LoadedCase& c, const RunOptions& o) {
   // All faults of the input are found before the folder is changed.
-  const cases::Model model = prepared_model(c.value, o.threads);
+  cases::Model model = prepared_model(c.value, o.threads);
   const cases::GroundMotion motion = ground_motion(c.value);
   solver::Options options;
   options.reference_kernels = o.reference_kernels;
@@ -85,6 +86,8 @@ int run(const LoadedCase& c, const RunOptions& o) {
     print_way_on(folder.path());
     throw;
   }
+  cases::forget_joints(model);
+  give_memory_back();
   if (!o.quiet) say_lines(motion_lines(c.value, motion));
 
   Checkpoints checkpoints(folder.path(), facts_of(*sim, resolved, motion, o.reference_kernels), o.checkpoints);
