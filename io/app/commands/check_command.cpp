@@ -29,6 +29,7 @@
 #include "io/app/session/exit_code.h"
 #include "io/app/session/likely_slips.h"
 #include "io/app/session/prepared_case.h"
+#include "io/app/session/process.h"
 #include "io/app/session/progress.h"
 #include "io/app/session/run_extent.h"
 #include "io/app/session/run_time.h"
@@ -299,6 +300,7 @@ int check(const LoadedCase& c, const CheckOptions& o, int threads) {
   solver::Options options;
   options.threads = threads;
   auto sim = std::make_unique<solver::Simulation>(c.value, model, motion, options);
+  give_memory_back();
   refuse_endless(c.value, model, *sim);
   if (o.json) {
     if (!o.draw.empty()) write_output(drawing, draw(c.value, model));

@@ -63,6 +63,7 @@ int run(const LoadedCase& c, const RunOptions& o) {
   options.reference_kernels = o.reference_kernels;
   options.threads = o.threads, options.own_pace = true;
   auto sim = std::make_unique<solver::Simulation>(c.value, model, motion, options);
+  give_memory_back();
   choose_drive(*sim, c.value);
   refuse_endless(c.value, model, *sim);
   print_bounded_ties(sim->world().ties, model);

@@ -22,8 +22,8 @@ int threads_to_be_had(int wanted);
 /// Notes what the command does now, for the message if memory runs out. \param what  a literal: "building the model"
 void now_doing(const char* what);
 
-/// Gives memory that is free back to the system. The allocator keeps what lies between blocks in use, after a model is built as much again
-/// as the model.
+/// Gives memory that is free back to the system. The allocator keeps what lies between blocks in use: after a model is built as much again
+/// as the model. For use where one large thing ends and before the next begins.
 void give_memory_back() noexcept;
 
 /// \return `code`, or that of a file fault if standard output has been lost, as on a full disk

@@ -69,6 +69,7 @@ std::unique_ptr<RestoredRun> restore_run(const std::string& path, Checkpoint che
   options.reference_kernels = r->facts.reference_kernels;
   options.step = r->facts.step;
   r->sim = std::make_unique<solver::Simulation>(r->value, r->model, r->facts.motion, options);
+  give_memory_back();
   bring_back(*r, checkpoint.state);
   return r;
 }

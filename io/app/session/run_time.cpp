@@ -94,6 +94,7 @@ std::vector<RateTime> other_rates(const cases::Case& c, const cases::Model& mode
     give_memory_back();  // of the rate before
     try {
       solver::Simulation sim(other, model, motion, o);
+      give_memory_back();
       const double step = shaken_step(other, sim);
       found.push_back({multirate, run_time(other, sim, step, multirate == 1 ? step : one_rate)});
     } catch (const cases::InputError&) {  // supports that turn have one rate

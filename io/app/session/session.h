@@ -32,7 +32,7 @@ void print_way_on(const std::string& folder);
 /// \param sim  ends before the measures are taken, which need as much memory again
 /// \param page_every  see LivePage
 /// \return kDone, kNumericalFailure, or 128 + the signal that stopped it \throw FileError if results cannot be written
-int run_session(const cases::Case& c, std::unique_ptr<solver::Simulation> sim, solver::RunState& plan, ResultsWriter& results, Checkpoints& checkpoints,
-                const std::string& folder, bool quiet, double page_every = 0);
+int run_session(const cases::Case& c, std::unique_ptr<solver::Simulation> sim, solver::RunState& plan, ResultsWriter& results,
+                Checkpoints& checkpoints, const std::string& folder, bool quiet, double page_every = 0);
 
 }  // namespace voussoir::io

@@ -339,16 +339,17 @@ void ResultsWriter::write_facts(Hdf5File& file, bool merged, const cases::Model*
   if (drive_) write_drive(file, *drive_, control_);
   if (measures_) write_measures(file, *measures_);
   if (capacity_) write_capacity(file, *capacity_);
-  model != nullptr ? write_model(file, *model) : file.copy_group(Hdf5File::open(folder_ + "/run.h5"), "/model");
+  model != nullptr ? write_model(file, *model) : file.copy_group(*last_run_, "/model");
   write_datasets(file, options_.motion);
 }
 
-/// \param model  of the first run.h5; nullptr: that of the run.h5 which is there
+/// \param model  of the first run.h5; nullptr: that of the last one
 void ResultsWriter::write_run(bool merged, const cases::Model* model) {
   write_file(folder_ + "/run.h5", [&](Hdf5File& file) {
     write_facts(file, merged, model);
     merged ? copy_rows(file, folder_, schema_, parts_) : link_rows(file, schema_, parts_);
   });
+  last_run_ = Hdf5File::open(folder_ + "/run.h5");
 }
 
 RowCounts ResultsWriter::rows() const noexcept {

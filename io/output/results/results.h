@@ -46,8 +46,8 @@ void write_drive(Hdf5File& file, const solver::Drive& d, std::optional<std::int3
 
 class ResultsWriter final : public solver::Recorder {
  public:
-  /// Writes run.h5 with the model and no rows, so that readers find it from the start. Each later run.h5 takes the model from the one before
-  /// it, which must stay there: the writer keeps nothing of `model`.
+  /// Writes run.h5 with the model and no rows, so that readers find it from the start. Each later run.h5 takes the model from the one
+  /// before it: the writer keeps nothing of `model`.
   ///
   /// \param folder  of the run, existing (see RunFolder)
   /// \param case_toml  the resolved case
@@ -134,6 +134,7 @@ class ResultsWriter final : public solver::Recorder {
   Provenance provenance_;
   ResultsOptions options_;
   std::array<RowBuffer, kRowTables> buffers_;
+  std::optional<Hdf5File> last_run_;  // run.h5, open for its model, which lasts if the file is removed
   std::vector<Part> parts_;
   std::vector<Part> replaced_;  // files that run.h5 names no more; gone after the next run.h5, so that readers of the last one can end
   std::size_t next_part_ = 0, merge_above_ = 0;

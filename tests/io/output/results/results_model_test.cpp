@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -187,6 +189,24 @@ TEST_CASE("bars of meshes and decks: between which points, held by what, and whe
   REQUIRE(breaking.size() == 2);
   CHECK(std::isnan(breaking[0]));
   CHECK(breaking[1] == 0.01);
+}
+
+TEST_CASE("each run.h5 takes the model from the one before, even if that has been removed") {
+  const TempFolder folder;
+  std::optional<cases::Model> model(two_cubes());
+  ResultsWriter results(folder.path(), *model, kCase, kNames, {}, by_hand());
+  model.reset();
+  const std::string run = folder.file("run.h5");
+  const auto all = [&] { return Hdf5File::open(run).datasets(); };
+  const std::vector<std::string> before = all();
+  for (const char* why : {"so that it is written", "and once more"}) {
+    std::filesystem::remove(run);
+    results.failure(why);
+    results.flush();
+    CHECK(all() == before);
+    CHECK(Hdf5File::open(run).read<double>("/model/element/mass") == std::vector<double>{1.8, 1.8});
+    CHECK(Hdf5File::open(run).attribute_text("/model/element/mass", "unit") == "kg");
+  }
 }
 
 TEST_CASE("an assembly that is not of the blocks is refused") {
