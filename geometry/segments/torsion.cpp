@@ -52,11 +52,12 @@ struct HalfPlane {
 /// The half-planes whose common part is the overlap of a joint.
 std::vector<HalfPlane> sides_of(const Assembly& a, const Joint& j) {
   std::vector<HalfPlane> all;
+  const Frame frame = j.frame();
   for (const std::int32_t element : {j.element_a, j.element_b}) {
     if (element == kBase) continue;
     for (const Face& f : faces_of(a, element)) {
-      if (std::abs(dot(f.normal, j.frame.normal)) > kFacing) continue;
-      all.push_back({{dot(f.normal, j.frame.axis_s), dot(f.normal, j.frame.axis_t)}, f.offset - dot(f.normal, j.frame.centre)});
+      if (std::abs(dot(f.normal, frame.normal)) > kFacing) continue;
+      all.push_back({{dot(f.normal, frame.axis_s), dot(f.normal, frame.axis_t)}, f.offset - dot(f.normal, frame.centre)});
     }
   }
   return all;

@@ -201,7 +201,7 @@ void print_rates(std::vector<RateTime> times, const RunTime& own) {
 void print_run_time(const cases::Case& c, const cases::Model& model, const cases::GroundMotion& motion,
                     std::unique_ptr<solver::Simulation> sim) {
   const solver::Options options = sim->world().options;
-  const double step = shaken_step(c, *sim), one_rate = sim->cycle() == 1 ? step : one_rate_step(c, model, motion, options);
+  const double step = shaken_step(c, *sim), one_rate = one_rate_step(c, model, motion, *sim, step);
   const RunTime own = run_time(c, *sim, step, one_rate);
   std::printf("\nestimate, %d threads      %s if nothing breaks, some %s if it collapses (steps were timed on this machine)\n",
               sim->threads(), format_duration(own.intact).c_str(), format_duration(own.collapse).c_str());
