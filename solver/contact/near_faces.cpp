@@ -13,7 +13,7 @@ namespace voussoir::solver {
 
 namespace {
 
-constexpr std::int64_t kAtATime = 512;  // patches, elements or sides that a thread takes
+constexpr std::int64_t kTakenAtOnce = 512;  // patches, elements or sides that a thread takes
 
 /// Whether a face of the element to which the patch is not turned keeps it outside, but for a rim narrower than the skin: no point of the
 /// patch, or one row of them, can touch. Both as they stood when they were searched last.
@@ -49,7 +49,7 @@ bool pushes(const World& w, std::size_t a) {
 void renew_pushes(World& w, const std::vector<std::uint8_t>* changed) {
   Contacts& c = w.contacts;
   c.pushes.resize(w.patches.patch.size());
-  w.team.share_out(static_cast<std::int64_t>(c.active.size()), kAtATime, [&](std::int64_t first, std::int64_t last) {
+  w.team.share_out(static_cast<std::int64_t>(c.active.size()), kTakenAtOnce, [&](std::int64_t first, std::int64_t last) {
     for (auto a = static_cast<std::size_t>(first); a < static_cast<std::size_t>(last); ++a) {
       const std::int32_t p = c.active[a];
       if (changed == nullptr || nth(*changed, p) != 0) nth(c.pushes, p) = pushes(w, a) ? 1 : 0;
@@ -90,7 +90,7 @@ double excess(const World& w, std::size_t id, std::int32_t a, std::int32_t b) {
 /// \param renewed  by element, 1: its bound is another than before
 void renew_sides(World& w, const std::vector<std::uint8_t>& renewed) {
   Sides& s = w.sides;
-  w.team.share_out(s.count(), kAtATime, [&](std::int64_t first, std::int64_t last) {
+  w.team.share_out(s.count(), kTakenAtOnce, [&](std::int64_t first, std::int64_t last) {
     for (auto id = static_cast<std::size_t>(first); id < static_cast<std::size_t>(last); ++id) {
       const std::int32_t a = s.blocks[id / kernels::kLanes].master[id % kernels::kLanes];
       const std::int32_t b = s.blocks[id / kernels::kLanes].slave[id % kernels::kLanes];
@@ -106,7 +106,7 @@ void bound_dashpots_by_near_faces(World& w, const std::vector<std::uint8_t>* cha
   renew_pushes(w, changed);
   const std::vector<std::uint8_t> near = near_faces(w);
   std::vector<std::uint8_t> renewed(w.elements.body.size());
-  w.team.share_out(w.elements.count, kAtATime, [&](std::int64_t first, std::int64_t last) {
+  w.team.share_out(w.elements.count, kTakenAtOnce, [&](std::int64_t first, std::int64_t last) {
     for (auto e = static_cast<std::size_t>(first); e < static_cast<std::size_t>(last); ++e) {
       const double bound = bound_of(w, e, near);
       renewed[e] = bound != w.elements.body[e].beta ? 1 : 0;
