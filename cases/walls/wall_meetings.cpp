@@ -165,9 +165,9 @@ class Finder {
     const Leg &upper = leg(a_on_b ? a.leg : b.leg), &lower = leg(a_on_b ? b.leg : a.leg);
     if (upper.height.low <= (lower.height.low + lower.eaves) / 2 || upper.height.low >= lower.eaves) return;
     if (!sunk_.insert(std::minmax(upper.wall, lower.wall)).second) return;
-    throw InputError(wall_key(upper.wall, "base"), text(walls_[upper.wall].base) + " m is below the top of the " + lower.tag +
-                                                       ", on which the " + upper.tag + " stands; nearest: " + metres_text(lower.eaves) +
-                                                       " m, that top");
+    throw InputError(wall_key(upper.wall, "base"), text(walls_[upper.wall].base) + " m: the " + upper.tag + " would begin inside the " +
+                                                       lower.tag + ", whose top is at " + metres_text(lower.eaves) +
+                                                       " m; nearest: " + metres_text(lower.eaves) + " m");
   }
 
   void meet(LegSide a, LegSide b) {

@@ -205,7 +205,7 @@ std::vector<InputError> wall_overhangs(const std::vector<WallSpec>& walls, const
       found.emplace_back(wall_key(leg.wall, "thickness"),
                          "the " + leg.tag + " reaches " + text(std::round(by * 1e4) * 1e-4) +
                              " m beyond the wall on which it stands, on its " + (left ? "left" : "right") +
-                             "; at most a tenth of a brick's width may reach out: move it, or make the lower wall thicker");
+                             "; less than a tenth of a brick's width may overhang: move the upper wall, or thicken the lower one");
     }
   }
   return found;

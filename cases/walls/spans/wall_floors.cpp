@@ -161,9 +161,10 @@ class FloorLayer {
     }
     add_room(ticks(bay.high));
     if (laid_.rooms.empty())
-      throw InputError(key("beam"), text(floor_.beams.beam[0]) + " m is wider than the room between the " + side(0).tag + " and the " +
-                                        side(1).tag + ", which is " + text(std::round((bay.high - bay.low) * 1e4) * 1e-4) + " m" +
-                                        (beside_.empty() ? "" : "; other walls stand in it, as the " + widest_name_));
+      throw InputError(key("beam"), "no beam " + text(floor_.beams.beam[0]) + " m wide fits along the " + side(0).tag + " and the " +
+                                        side(1).tag + ": they face each other over " + text(std::round((bay.high - bay.low) * 1e4) * 1e-4) +
+                                        " m, and a beam has a fifth of a brick free on either side" +
+                                        (beside_.empty() ? "" : "; other walls take up part of that length, such as the " + widest_name_));
     for (const auto& room : laid_.rooms) {
       for (const BayBeam& beam : room) check_elements(beam);
     }

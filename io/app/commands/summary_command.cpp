@@ -192,7 +192,8 @@ void print_modes(const Json& s) {
 void print_units(const Json& s) {
   if (!s.contains("units_in_cells")) return;
   const auto of = [&](const char* name) { return std::to_string(s["units_in_cells"][name].get<std::int64_t>()); };
-  line("units cracked", of("cracked") + " of " + of("units") + " in cells; in " + of("through") + " a joint between cells is all broken");
+  line("units cracked", of("cracked") + " of the " + of("units") + " that are divided into cells; " + of("through") +
+                            " of them right through a joint between cells");
 }
 
 /// Prints the progress of the run, and why it ended early.

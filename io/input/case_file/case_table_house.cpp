@@ -264,10 +264,11 @@ Table<House> house_table() {
        value<S>("joint", &S::joint, "", filled(), "joint law between bricks, and of bricks with the base"),
        value<S>("halves", &S::halves, "", any(),
                 "whole bricks can crack: each is two elements, cut at mid-length, with the law materials.<name>.inside between them; "
-                "the same as cells = [2, 1, 1], but for cut bricks, which stay whole"),
+                "as cells = [2, 1, 1] does, but cut bricks are not divided"),
        value<S>("cells", &S::cells, "", within(1.0, kMostCells),
                 "bricks can crack: number of cells along the length, thickness and height of a whole one, with the law "
-                "materials.<name>.inside between them; cut bricks have cells nearest in size to these, bricks cut along a slope none"),
+                "materials.<name>.inside between them; shorter bricks get cells of about the same size, bricks cut along a slope are not "
+                "divided"),
        table<S>("wood", &S::wood, wood_table()),
        value<S>("origin", &S::origin, "m", any().possibly(0.0, usual::kFarthest), "x and y of the outer corner"),
        choice<S, double S::*, double>("turn", &S::turn, "degrees", {{"0", 0.0}, {"90", 90.0}, {"180", 180.0}, {"270", 270.0}}, "about z"),
@@ -320,7 +321,8 @@ Table<WallSpec> wall_table() {
            "bond of the bricks, as house.bond; through: one block through the wall in running bond, the bond of walls that bend"),
        value<S>("cells", &S::cells, "", within(1.0, kMostCells),
                 "bricks can crack: number of cells along the length, thickness and height of a whole one, with the law "
-                "materials.<name>.inside between them; cut bricks have cells nearest in size to these, bricks cut along a slope none"),
+                "materials.<name>.inside between them; shorter bricks get cells of about the same size, bricks cut along a slope are not "
+                "divided"),
        required(value<S>("material", &S::material, "", filled(), "of the bricks; [joints] has the laws of their joints")),
        choice<S, WallMeeting S::*, WallMeeting>(
            "meeting", &S::meeting, "", {{"toothed", WallMeeting::toothed}, {"butt", WallMeeting::butt}},

@@ -1272,10 +1272,10 @@ class House(Part):
       "english"
     material: of the bricks; not empty; default "adobe"
     joint: joint law between bricks, and of bricks with the base; not empty; default "normal"
-    halves: whole bricks can crack: each is two elements, cut at mid-length, with the law materials.<name>.inside between them; the same as cells =
-      [2, 1, 1], but for cut bricks, which stay whole; default False
+    halves: whole bricks can crack: each is two elements, cut at mid-length, with the law materials.<name>.inside between them; as cells = [2, 1, 1]
+      does, but cut bricks are not divided; default False
     cells, 3 values: bricks can crack: number of cells along the length, thickness and height of a whole one, with the law materials.<name>.inside
-      between them; cut bricks have cells nearest in size to these, bricks cut along a slope none; in [1, 16]
+      between them; shorter bricks get cells of about the same size, bricks cut along a slope are not divided; in [1, 16]
     origin, m, 2 values: x and y of the outer corner; at most 1e9 in magnitude; default [0.0, 0.0]
     turn, degrees: about z; default 0
     copies, 2 values: number of houses along x and y; in [1, 1000]; default [1, 1]
@@ -1349,7 +1349,7 @@ class Wall(Part):
       0.1]
     bond: bond of the bricks, as house.bond; through: one block through the wall in running bond, the bond of walls that bend; default "english"
     cells, 3 values: bricks can crack: number of cells along the length, thickness and height of a whole one, with the law materials.<name>.inside
-      between them; cut bricks have cells nearest in size to these, bricks cut along a slope none; in [1, 16]
+      between them; shorter bricks get cells of about the same size, bricks cut along a slope are not divided; in [1, 16]
     material: of the bricks; [joints] has the laws of their joints; not empty; needed
     meeting: where it meets walls before it in the case. toothed: either runs through in every second course; butt: the other does in all, as at an
       extension. Corners of one wall are toothed; default "toothed"

@@ -131,7 +131,7 @@ TEST_CASE("a wall that begins in the wall upon which it stands is refused at its
   c.walls.push_back(c.walls[0]);
   c.walls[1].name = "high", c.walls[1].base = 2.3;
   check_refused(c, std::function<void(Case&)>([](Case&) {}), "wall[1].base",
-                "2.3 m is below the top of the low 1 wall, on which the high 1 wall stands; nearest: 2.4 m, that top");
+                "2.3 m: the high 1 wall would begin inside the low 1 wall, whose top is at 2.4 m; nearest: 2.4 m");
   try {
     build_model(c);
   } catch (const InputErrors& e) {

@@ -221,7 +221,7 @@ TEST_CASE("floors that cannot lie are refused with the key, the value and what i
          "leaves bricks of 0.02 m behind the beams in the outer 1 wall; at least 0.08 m");
   refuse([](F f) { f.beams.spacing = 0.15; }, "floor[0].spacing", "at least 0.18 m");
   refuse([](F f) { f.level = 2.2; }, "floor[0].spacing", "wall[0].opening[0].lintel is from 1.8 to 3.2 m");
-  refuse([](F f) { f.beams.beam[0] = 4.2, f.beams.spacing = 6.0; }, "floor[0].beam", "wider than the room between");
+  refuse([](F f) { f.beams.beam[0] = 4.2, f.beams.spacing = 6.0; }, "floor[0].beam", "m wide fits along the");
   refuse([](F f) { f.material = "glass"; }, "floor[0].material", "glass");
   refuse([](F f) { f.within_member = "glue"; }, "floor[0].within_member", "glue");
   refuse([](F f) { f.corners = {{0.0, 0.0}, {5.0, 0.0}, {0.0, 4.0}, {5.0, 4.0}}; }, "floor[0].corners", "no convex quadrilateral");
