@@ -13,6 +13,8 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <new>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -255,6 +257,7 @@ RunFolder RunFolder::create(const std::string& path, bool overwrite) {
     if (check()) remove_results(path);
     return folder;
   } catch (const fs::filesystem_error& e) {
+    if (e.code() == std::errc::not_enough_memory) throw std::bad_alloc();
     throw FileError(path, "cannot remove old results: " + e.code().message());
   }
 }

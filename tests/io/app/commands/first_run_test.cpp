@@ -380,8 +380,11 @@ TEST_CASE("a rule between two materials that applies to no joint is told, with t
 
 TEST_CASE("check says how long a run takes as a range, from steps timed on the machine") {
   const TempFolder folder;
-  CHECK(says(voussoir("check -j 1 " + folder.write("case.toml", kSmallHouse)),
-             {"estimate, 1 threads", "if nothing breaks, some ", "if it collapses", "time.multirate"}));
+  const std::string check = "check -j 1 " + folder.write("case.toml", kSmallHouse);
+  const Outcome brief = voussoir(check), lasting = voussoir(check + " --set time.duration=2000");
+  for (const Outcome* o : {&brief, &lasting}) CHECK(says(*o, {"estimate, 1 threads", "if nothing breaks, some ", "if it collapses"}));
+  CHECK(is_silent_of(brief, "time.multirate"));  // nothing to gain in a second
+  CHECK(says(lasting, {"time.multirate"}));
   // An analysis that goes from one state of rest to the next has no time, and takes no several rates.
   const Outcome push =
       voussoir("check -j 1 " + folder.write("push.toml", kSmallHouse) + " --set analysis.kind=pushover --set time.multirate=4");
