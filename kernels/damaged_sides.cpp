@@ -65,7 +65,7 @@ VOUSSOIR_INLINE Law law_of(const SideConstants& b, int l, const LaneFields& f, i
           spread_field(f, 3, lane),
           spread_field(f, 4, lane),
           spread_field(f, 5, lane),
-          {b.kn[l], b.ks[l], p.dashpots * p.cn, p.dashpots * p.cs},
+          {b.kn[l], b.ks[l], p.dashpot_factor * p.cn, p.dashpot_factor * p.cs},
           {b.tension[l], b.cohesion[l], b.tan_phi[l], b.compression[l], b.cap[l], b.friction[l]},
           p.factor,
           step,

@@ -114,7 +114,7 @@ struct SideParts {
   double factor = 0.0, cn = 0.0, cs = 0.0;  // Eq. 11; Pa s/m, for all faces of both elements in contact
   PointsView points;
   SegmentsView segments;
-  double dashpots = 1.0;  // factor on cn and cs, at least 1: of fewer faces in contact (THEORY.md (20d))
+  double dashpot_factor = 1.0;  // on cn and cs, at least 1: fewer faces than all have something near (THEORY.md (20d))
 };
 
 /// Copies of the forces that sides add to the elements' rows: 12 numbers a side, force and torque on the master, then force and torque on

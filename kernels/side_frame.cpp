@@ -59,7 +59,7 @@ Side side_of(const SideBlock& block, int l, const SideParts& parts) noexcept {
           .mean = b.mean[l],
           .on_base = (block.on_base >> l & 1U) != 0,
           .factor = parts.factor,
-          .k = {b.kn[l], b.ks[l], parts.dashpots * parts.cn, parts.dashpots * parts.cs},
+          .k = {b.kn[l], b.ks[l], parts.dashpot_factor * parts.cn, parts.dashpot_factor * parts.cs},
           .strength = {b.tension[l], b.cohesion[l], b.tan_phi[l], b.compression[l], b.cap[l], b.friction[l]},
           .twist = b.twist[l]};
 }

@@ -19,44 +19,18 @@ namespace {
 
 constexpr std::int64_t kElementsAtATime = 64, kPatchesAtATime = 4096, kSearchedAtATime = 16;  // that a thread takes
 
-/// As it stood when it was searched last.
-PlacedElement placed_then(const World& w, std::int32_t e) {
-  const Travel::Pose p = w.travel.searched_pose(e);
-  return {nth(w.elements.body, e).ref + p.u, p.r};
-}
-
 bool overlap(const geometry::Box3& a, const geometry::Box3& b, double margin) {
   return a.low.x <= b.high.x + margin && b.low.x <= a.high.x + margin && a.low.y <= b.high.y + margin && b.low.y <= a.high.y + margin &&
          a.low.z <= b.high.z + margin && b.low.z <= a.high.z + margin;
 }
 
-/// A patch in its current pose.
-struct PlacedPatch {
-  Vec3 centre, es, et;  // of its rectangle; half edges
-  geometry::Box3 box;
-};
-PlacedPatch placed(const kernels::Patch& k, const PlacedElement& b) {
-  const Vec3 middle = k.centre + 0.5 * (k.s_low + k.s_high) * k.es + 0.5 * (k.t_low + k.t_high) * k.et;
-  PlacedPatch r;
-  r.centre = b.x + b.r * middle;
-  r.es = 0.5 * (k.s_high - k.s_low) * (b.r * k.es);
-  r.et = 0.5 * (k.t_high - k.t_low) * (b.r * k.et);
-  const Vec3 half = absolute(r.es) + absolute(r.et);
-  r.box = {r.centre - half, r.centre + half};
-  return r;
-}
-
 /// Distance [m] that one face of the element, the best, keeps between it and the whole patch.
 double gap_to(const World& w, const PlacedPatch& p, std::int32_t element, const PlacedElement& b) {
   const auto i = static_cast<std::size_t>(element);
-  const Mat3 back = transposed(b.r);
-  const Vec3 centre = back * (p.centre - b.x), es = back * p.es, et = back * p.et;
+  const SeenPatch seen = seen_from(b, p);
   double farthest = -1e300;
-  for (std::int32_t f = w.elements.first_face[i]; f < w.elements.first_face[i] + w.elements.face_count[i]; ++f) {
-    const kernels::Face& face = nth(w.faces, f);
-    const double reach = std::abs(dot(face.normal, es)) + std::abs(dot(face.normal, et));
-    farthest = std::max(farthest, dot(face.normal, centre) - face.distance - reach);
-  }
+  for (std::int32_t f = w.elements.first_face[i]; f < w.elements.first_face[i] + w.elements.face_count[i]; ++f)
+    farthest = std::max(farthest, least_distance(nth(w.faces, f), seen));
   return farthest;
 }
 

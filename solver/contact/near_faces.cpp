@@ -3,11 +3,11 @@
 #include "solver/contact/near_faces.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "geometry/nth.h"
+#include "solver/contact/placed_element.h"
 
 namespace voussoir::solver {
 
@@ -18,18 +18,14 @@ constexpr std::int64_t kTakenAtOnce = 512;  // patches, elements or sides that a
 /// Whether a face of the element to which the patch is not turned keeps it outside, but for a rim narrower than the skin: no point of the
 /// patch, or one row of them, can touch. Both as they stood when they were searched last.
 bool only_rim_is_near(const World& w, const kernels::Patch& p, std::int32_t other) {
-  const Travel::Pose a = w.travel.searched_pose(p.element), b = w.travel.searched_pose(other);
-  const Mat3 turn = transposed(b.r) * a.r;
-  const Vec3 apart = (nth(w.elements.body, p.element).ref - nth(w.elements.body, other).ref) + (a.u - b.u);
-  const Vec3 middle = p.centre + 0.5 * (p.s_low + p.s_high) * p.es + 0.5 * (p.t_low + p.t_high) * p.et;
-  const Vec3 centre = transposed(b.r) * apart + turn * middle, normal = turn * nth(w.faces, p.face).normal;
-  const Vec3 es = 0.5 * (p.s_high - p.s_low) * (turn * p.es), et = 0.5 * (p.t_high - p.t_low) * (turn * p.et);
+  const PlacedElement own = placed_then(w, p.element), body = placed_then(w, other);
+  const SeenPatch seen = seen_from(body, placed(p, own));
+  const Vec3 normal = transposed(body.r) * (own.r * nth(w.faces, p.face).normal);
   const std::int32_t first = nth(w.elements.first_face, other), last = first + nth(w.elements.face_count, other);
   for (std::int32_t f = first; f < last; ++f) {
     const kernels::Face& face = nth(w.faces, f);
-    if (dot(face.normal, normal) < kernels::kOpposing) continue;  // its own points see that face
-    const double reach = std::abs(dot(face.normal, es)) + std::abs(dot(face.normal, et));
-    if (dot(face.normal, centre) - face.distance - reach > -w.travel.skin()) return true;
+    const bool opposes = dot(face.normal, normal) < kernels::kOpposing;  // its own points see that face
+    if (!opposes && least_distance(face, seen) > -w.travel.skin()) return true;
   }
   return false;
 }
@@ -95,7 +91,7 @@ void renew_sides(World& w, const std::vector<std::uint8_t>& renewed) {
       const std::int32_t a = s.blocks[id / kernels::kLanes].master[id % kernels::kLanes];
       const std::int32_t b = s.blocks[id / kernels::kLanes].slave[id % kernels::kLanes];
       if (s.joint[id] < 0 || s.retired[id] != 0 || (nth(renewed, a) == 0 && nth(renewed, b) == 0)) continue;
-      s.parts[id].dashpots = excess(w, id, a, b);
+      s.parts[id].dashpot_factor = excess(w, id, a, b);
     }
   });
 }

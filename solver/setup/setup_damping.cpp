@@ -14,8 +14,9 @@
 #include "solver/setup/worst_dashpots.h"
 
 // Contact dashpots with h = 1 would need a step well under Eq. 19, because their velocities lag by half a step. They are taken
-// semi-implicitly (THEORY.md (20)), c' = c / (1 + Δt (β_A + β_B)), where β bounds the damping rate of a body: the largest eigenvalue of
-// M⁻¹C when the dashpots of all its segments act at once. Then the damping matrix of the whole assembly has Δt λ_max(M⁻¹C') < 1 for
+// semi-implicitly (THEORY.md (20)), c' = c / (1 + Δt (β_A + β_B)), where β bounds the damping rate of a body. Here: the largest eigenvalue
+// of M⁻¹C when the dashpots of all its segments act at once, and bounds for each of its faces alone, of which the faces that have something
+// near make the β of now (contact/near_faces.h). Then the damping matrix of the whole assembly has Δt λ_max(M⁻¹C') < 1 for
 // whatever faces touch at the stiffness of Eq. 2 (that of a joint with mortar stiffer than its blocks is not asked). A sum over the
 // dashpots of c dA (1/m + r²/I_min) is a bound too, but three times as large, and would cost effective damping.
 namespace voussoir::solver {

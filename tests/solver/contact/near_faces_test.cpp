@@ -106,7 +106,7 @@ TEST_CASE("no bound of dashpots is above that of all faces, and joints of such e
     const std::int32_t slave = nth(w.faces, w.sides.slave_face[id]).is_ground() ? master : b.slave[id % kernels::kLanes];
     const double all = nth(w.dashpot_bounds.all, master) + nth(w.dashpot_bounds.all, slave);
     const double now = nth(w.elements.body, master).beta + nth(w.elements.body, slave).beta;
-    CHECK(w.sides.parts[id].dashpots == doctest::Approx((1.0 + w.dt * all) / (1.0 + w.dt * now)).epsilon(1e-14));
+    CHECK(w.sides.parts[id].dashpot_factor == doctest::Approx((1.0 + w.dt * all) / (1.0 + w.dt * now)).epsilon(1e-14));
     if (now < all) ++raised;
   }
   CHECK(raised > 0);
@@ -136,7 +136,7 @@ TEST_CASE("a restored state has the bounds of dashpots of the run that it is of"
       if (a.sides.retired[id] != 0) {
         ++retired;
       } else {
-        same = same && a.sides.parts[id].dashpots == b.sides.parts[id].dashpots;
+        same = same && a.sides.parts[id].dashpot_factor == b.sides.parts[id].dashpot_factor;
       }
     }
     REQUIRE(same);

@@ -316,3 +316,27 @@ TEST_CASE("the hash of a model sees what a case changes") {
   c.joint_laws["mortar"].tension *= 1.0 + 1e-15;
   CHECK(hash() != first);
 }
+
+TEST_CASE("a run whose model has forgotten its joints has the bits of one whose model has them") {
+  for (const int multirate : {1, 4}) {
+    cases::Case c = everything();
+    c.time.multirate = multirate;
+    const cases::GroundMotion g;
+    cases::Model forgetful = cases::build_model(c);
+    const cases::Model m = cases::build_model(c);
+    solver::Simulation with(c, m, g, {}), without(c, forgetful, g, {});
+    cases::forget_joints(forgetful);
+    CHECK(forgetful.assembly.joints.empty());
+    for (solver::Simulation* sim : {&with, &without}) {
+      sim->start_shaking();
+      while (sim->time() < 0.3) sim->step({true, true});
+    }
+    CHECK(with.damage().tension > 100);
+    solver::RunState plan;
+    const solver::SavedState a = solver::save(with, plan), b = solver::save(without, plan);
+    for (const auto& [name, field] : a) {
+      CAPTURE(name);
+      CHECK(field.bytes == b.at(name).bytes);
+    }
+  }
+}
