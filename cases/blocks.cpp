@@ -99,7 +99,7 @@ void check_shape_of_cells(const BlockSpec& spec, const std::string& key) {
     const bool many = !spec.polygon.empty() && spec.polygon.size() != 4;
     const char* against = spec.fixed ? "fixed = true" : !spec.faces.empty() ? "faces" : many ? "this polygon" : nullptr;
     if (against != nullptr)
-      throw InputError(key + ".cells", std::string("do not go with ") + against +
+      throw InputError(key + ".cells", std::string("does not go with ") + against +
                                            "; allowed: a free box, polygon of four corners with extrude, or eight vertices without faces");
   }
 }

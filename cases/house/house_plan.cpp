@@ -35,7 +35,7 @@ void refuse_format(const House& house) {
 
 void check_rubble(const House& house) {
   if (house.halves) throw InputError("house.halves", "true does not go with bond = \"rubble\"; allowed: false");
-  if (house.cells) throw InputError("house.cells", "do not go with bond = \"rubble\", whose stones stay whole; leave the key out");
+  if (house.cells) throw InputError("house.cells", "does not go with bond = \"rubble\", whose stones stay whole; leave the key out");
   if (!house.rubble) return;
   for (const auto& [key, share] : {std::pair{"irregularity", house.rubble->irregularity}, std::pair{"through", house.rubble->through}}) {
     if (!(share >= 0.0 && share <= 1.0)) throw InputError(std::string("house.rubble.") + key, text(share) + "; allowed: 0 to 1");
