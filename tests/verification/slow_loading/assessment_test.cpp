@@ -242,22 +242,29 @@ double jack_work(const cases::Case& c, const std::vector<Vec3>& path) { return d
 
 TEST_CASE("V15: loops of a wall in shear and compression" * doctest::skip()) {
   for (const bool level : {false, true}) {
-    cases::Case c = load("shear_test").value;
-    c.analysis.level = level;
-    c.analysis.amplitudes = {0.001}, c.analysis.cycles = 3;
-    AssessmentRows rows;
-    const io::Capacity got = assess(c, &rows);
-    const std::string label = std::string("V15 shear test, ") + (level ? "top held level" : "top free");
-    // The jack is dead: what it gains as the beam sinks is neither lost nor in the stores.
-    const double lost_and_stored = got.dissipated + got.stored - jack_work(c, rows.path);
-    expect_near(label + ": work of the actuator over losses and stores, the jack's too", got.loop_area / lost_and_stored, 1.0, 1e-3);
-    REQUIRE(got.loops.size() == 3);
-    for (const io::Loop& l : got.loops) {
-      const double balance = (l.dissipated + l.stored - l.other_work) / l.area;
-      expect_near(label + ": losses and stores of a loop, the jack's too, over its area", balance, 1.0, 1e-3);
+    for (const bool slowly : {false, true}) {
+      cases::Case c = load("shear_test").value;
+      if (slowly) c.analysis.solver = cases::Solver::dynamics;
+      c.analysis.level = level;
+      c.analysis.amplitudes = {0.001}, c.analysis.cycles = 3;
+      AssessmentRows rows;
+      const io::Capacity got = assess(c, &rows);
+      const std::string label = std::string("V15 shear test, ") + (level ? "top held level" : "top free") + (slowly ? ", slowly" : "");
+      // The jack is dead: what it gains as the beam sinks is neither lost nor in the stores. Where bonds break on the way from one state of
+      // rest to the next, loads do more work than below the line between the two, and relaxation takes it away.
+      const double lost_and_stored = got.dissipated + got.stored - jack_work(c, rows.path);
+      const double taken = slowly ? 0.0 : got.curve.damping.back() - got.curve.damping.front();
+      expect_near(
+          label + ": work of the actuator over losses and stores, the jack's too" + (slowly ? "" : ", but for what relaxation takes"),
+          got.loop_area / (lost_and_stored - taken), 1.0, slowly ? 1e-3 : 2e-3);
+      REQUIRE(got.loops.size() == 3);
+      for (const io::Loop& l : got.loops) {
+        const double balance = (l.dissipated + l.stored - l.other_work) / l.area;
+        expect_near(label + ": losses and stores of a loop, the jack's too, over its area", balance, 1.0, 1e-3);
+      }
+      CHECK(got.dissipated > 0.5 * got.loop_area);
+      CHECK(got.least_factor < 0.0);
     }
-    CHECK(got.dissipated > 0.5 * got.loop_area);
-    CHECK(got.least_factor < 0.0);
   }
 }
 
