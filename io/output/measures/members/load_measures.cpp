@@ -18,6 +18,12 @@
 namespace voussoir::io {
 namespace {
 
+/// The first row that is the largest but for round-off: a force that turns with its block has nearly the same size in every row.
+std::size_t first_largest(const std::vector<double>& force) {
+  const double least = (1.0 - 1e-9) * *std::ranges::max_element(force);
+  return static_cast<std::size_t>(std::ranges::find_if(force, [&](double f) { return f >= least; }) - force.begin());
+}
+
 /// Where each load acts, from /loads: "on NAME, at (x, y, z) m", or at how many places.
 class Places {
  public:
@@ -50,7 +56,7 @@ class Places {
 
 LoadMeasures measures_of(const LoadCurve& c) {
   LoadMeasures m{.name = c.name, .place = c.place};
-  const auto most = static_cast<std::size_t>(std::ranges::max_element(c.force) - c.force.begin());
+  const std::size_t most = first_largest(c.force);
   m.peak_force = c.force[most], m.peak_force_time = c.time[most], m.displacement_at_peak = c.displacement[most];
   for (std::size_t i = 0; i < c.time.size(); ++i) {
     if (std::isnan(c.displacement[i]) || std::abs(c.displacement[i]) <= std::abs(m.peak_displacement))
@@ -77,9 +83,9 @@ std::vector<LoadCurve> load_curves(const Hdf5File& run) {
       const double* p = v.data() + 3 * (row * loads + k);
       return Vec3{p[0], p[1], p[2]};
     };
-    Vec3 most;
-    for (std::size_t i = 0; i < time.size(); ++i)
-      if (norm(at(force, i)) > norm(most)) most = at(force, i);
+    std::vector<double> size;
+    for (std::size_t i = 0; i < time.size(); ++i) size.push_back(norm(at(force, i)));
+    const Vec3 most = at(force, first_largest(size));
     if (!(norm(most) > 0.0)) continue;
     LoadCurve& c = curves.emplace_back();
     c.name = "load " + std::to_string(k + 1), c.place = places.of(static_cast<std::int32_t>(k)), c.time = time;

@@ -11,7 +11,8 @@ namespace voussoir::io {
 
 class Hdf5File;
 
-/// The rows of one load. Force and displacement count along the direction of the force where that is largest.
+/// The rows of one load. Force and displacement count along the direction of the force where that is first largest, but
+/// for round-off: of one that turns with its block, its first direction.
 struct LoadCurve {
   std::string name, place;           // "load 1"; "on front wall, storey 2, at (1.20, 0.10, 5.15) m"
   std::vector<double> time;          // s

@@ -78,6 +78,20 @@ TEST_CASE("loads: largest force, displacement of the place along it then, larges
   CHECK(loads_text({}).empty());
 }
 
+// In other axes, other last digits.
+TEST_CASE("loads: a force that turns with its block counts along its first direction") {
+  Hut hut(kLoaded);
+  hut.frame(0.0, stays);
+  const double turned = 0.5, force = 2e3 * (1.0 + 1e-15);
+  row(hut, 0.0, {{{{0.0, 2e3, 0.0}, {0.0, 1e-3, 0.0}}, {{}, {}}, {{}, {}}}});
+  row(hut, 0.1, {{{{force * std::sin(turned), force * std::cos(turned), 0.0}, {0.0, 3e-3, 0.0}}, {{}, {}}, {{}, {}}}});
+  const LoadMeasures load = hut.measures().loads.at(0);
+  CHECK(load.peak_force_time == 0.0);
+  CHECK(load.displacement_at_peak == doctest::Approx(1e-3));
+  CHECK(load.end_displacement == doctest::Approx(3e-3));
+  CHECK(load.end_force == doctest::Approx(2e3 * std::cos(turned)));
+}
+
 TEST_CASE("loads: the page draws force over displacement of a force that changes, and displacement over time of a dead one") {
   Hut hut(kLoaded);
   hut.frame(0.0, stays);
