@@ -22,10 +22,6 @@ VOUSSOIR_INLINE void prefetch_columns(const ElementRows& rows, std::int64_t i, C
   if (rows.out_of_cache) (prefetch(columns + i + kPrefetchDistance, kWidth * sizeof(double)), ...);
 }
 
-/// Of the sum of the sizes of contact forces: a component of their sum below it may be round-off (22a). Each force comes from a depth, the
-/// small difference of two places, so its own relative error is up to some 1e-9.
-constexpr double kRoundOff = 1e-8;
-
 struct QuaternionLanes {
   Lanes w, x, y, z;
 };
@@ -219,6 +215,7 @@ struct Pushes {
   Lanes dt;
   VecLanes body, mean_gravity, mean_ground, damped_ground;
   bool damps_rotation;
+  double round_off;
 };
 
 /// Components that are smaller than `least` become zero.
@@ -227,11 +224,9 @@ VOUSSOIR_INLINE VecLanes above(VecLanes v, Lanes least) noexcept {
           select(max(v.z, -v.z) < least, Lanes{}, v.z)};
 }
 
-/// Sets components of force and torque to zero that may be round-off of the contact forces (22a). \param pushed  sum of the sizes of the
-/// contact forces [N]; 0: no contact, nothing changes
-VOUSSOIR_INLINE void drop_round_off(const ElementsView& e, std::int64_t i, Lanes pushed, Lanes inv_mass, VecLanes& force,
+/// Sets components of force and torque to zero that may be round-off of the contact forces (22a). \param least  N, of a force that counts
+VOUSSOIR_INLINE void drop_round_off(const ElementsView& e, std::int64_t i, Lanes least, Lanes inv_mass, VecLanes& force,
                                     VecLanes& torque) noexcept {
-  const Lanes least = kRoundOff * pushed;
   const Lanes inv_inertia = load_lanes(e.ixx + i) + load_lanes(e.iyy + i) + load_lanes(e.izz + i);
   const Lanes arm = sqrt(select(inv_inertia > 0.0, inv_mass / inv_inertia, Lanes{}));  // at most the least radius of gyration
   force = above(force, least);
@@ -251,7 +246,7 @@ VOUSSOIR_INLINE void kick_group(const ElementsView& e, const ElementRows& rows, 
   const Lanes m = load_lanes(e.mass + i), im = load_lanes(e.inv_mass + i), alpha = load_lanes(e.alpha + i);
   const Lanes inert = load_lanes(e.inert_mass + i);
   const LaneMask fixed = im == 0.0;
-  if (bits(pushed != 0.0) != 0) drop_round_off(e, i, pushed, im, force, torque);
+  if (bits(pushed != 0.0) != 0) drop_round_off(e, i, f.round_off * pushed, im, force, torque);
   const Lanes a = 0.5 * alpha * f.dt;
   const VecLanes before = load3(e.vx, e.vy, e.vz, i);
   const VecLanes after =
@@ -280,8 +275,9 @@ VOUSSOIR_INLINE void kick_group(const ElementsView& e, const ElementRows& rows, 
 }  // namespace
 
 void kick(const ElementsView& e, const ElementRows& rows, const BodyForces& f, std::int64_t first, std::int64_t last) noexcept {
-  const Pushes pushes{lanes(f.dt),           spread(f.gravity - f.ground), spread(f.mean_gravity),
-                      spread(f.mean_ground), spread(f.damped_ground),      f.damps_rotation};
+  const Pushes pushes{
+      lanes(f.dt), spread(f.gravity - f.ground), spread(f.mean_gravity), spread(f.mean_ground), spread(f.damped_ground), f.damps_rotation,
+      f.round_off};
   for (std::int64_t i = first; i < last; i += kBatch) {
     StepTally tally;
     for (int k = 0; k < kBatch; k += kWidth) kick_group(e, rows, pushes, i + k, tally);

@@ -30,13 +30,18 @@ struct ElementsView {
   const std::uint8_t* principal;                    // by batch, 1: all its elements have principal body axes (ixy, ixz, iyz are 0)
 };
 
+/// Of the sum of the sizes of contact forces: a component of their sum below it may be round-off (22a). Each force comes from a depth, the
+/// small difference of two places, so its own relative error is up to some 1e-9.
+inline constexpr double kPushRoundOff = 1e-8;
+
 /// Accelerations that act on every element in a step.
 struct BodyForces {
-  double dt = 0.0;                 // s
-  Vec3 gravity, ground;            // m/s2 at this step (ground: acceleration of the base, so −ground acts, Eq. 15)
-  Vec3 mean_gravity, mean_ground;  // mean of this and the last step: the trapezoid rule of the ledger
-  bool damps_rotation = false;     // α also acts on the angular momentum: while settling, where only the state of rest matters
-  Vec3 damped_ground{};            // m/s at this step: velocity of the ground, if damped too (damping.frame = "inertial"); else 0
+  double dt = 0.0;                   // s
+  Vec3 gravity, ground;              // m/s2 at this step (ground: acceleration of the base, so −ground acts, Eq. 15)
+  Vec3 mean_gravity, mean_ground;    // mean of this and the last step: the trapezoid rule of the ledger
+  bool damps_rotation = false;       // α also acts on the angular momentum: while settling, where only the state of rest matters
+  Vec3 damped_ground{};              // m/s at this step: velocity of the ground, if damped too (damping.frame = "inertial"); else 0
+  double round_off = kPushRoundOff;  // components below this share of the sizes of contact forces count as zero (22a); 0: all count
 };
 
 /// Advances velocities to the next half step: v₊ = [(1 − a) v₋ + Δt (F/m − α v_g)] / (1 + a), a = αΔt/2, v_g = damped_ground, and L₊ = L₋ +

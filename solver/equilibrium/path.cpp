@@ -22,6 +22,7 @@ constexpr double kMostOfWay = 0.1, kElasticOfWay = 0.3;      // of the way so fa
 constexpr double kFew = 5e-4;                                // of all bonds: so many that slip or break count as none
 constexpr double kMuch = 2e-3;                               // of all bonds: so many that break at once and the increment is halved
 constexpr double kOfLoad = 2.5, kStrictest = 0.1;            // of the tolerance at a load factor of 1 in each; at least
+constexpr double kLong = 20'000;                             // iterations from which on it is less strict again
 constexpr double kLeast = 0.1;                               // of the first increment
 // Factor on the length of ramps: after one in which the load factor exceeded both of its points, and after others; at most.
 constexpr double kSlower = 2.0, kFaster = 0.7, kSlowest = 64.0;
@@ -45,7 +46,8 @@ void Path::iterated(double factor) noexcept {
 /// Where all loads are small against the weights, so are the forces that decide.
 bool Path::rests(double unbalanced) const noexcept {
   const double share = state_.points > 1.0 && state_.most_factor > 0.0 ? std::clamp(kOfLoad * state_.most_factor, kStrictest, 1.0) : 1.0;
-  return state_.ramp_left == 0.0 && state_.iterations >= 2.0 && unbalanced <= share * tolerance_;
+  const double strict = std::min(1.0, share * std::max(1.0, state_.iterations / kLong));
+  return state_.ramp_left == 0.0 && state_.iterations >= 2.0 && unbalanced <= strict * tolerance_;
 }
 
 void Path::lose() noexcept { state_.iterations = kMostIterations + 1.0; }

@@ -39,8 +39,10 @@ std::unique_ptr<World> world_of(const cases::Case& c, const cases::Model& m, con
 constexpr std::int64_t kGuardInterval = 20;  // steps
 constexpr double kRamp = 1.0;                // s, of gravity, if the case says nothing of it
 constexpr double kShortestRamp = 0.05;       // s: a shorter one says nothing of how slowly a structure sways
-constexpr double kRest = 1e-8;               // kinetic over elastic energy
-constexpr double kRoundOff = 1e-9;           // of the histories of supports: what the sums of many increments may leave of them
+// Of (22a) in a relaxation: with more, elements under much pressure stick before they are at rest.
+constexpr double kRestRoundOff = 1e-10;
+constexpr double kRest = 1e-8;      // kinetic over elastic energy
+constexpr double kRoundOff = 1e-9;  // of the histories of supports: what the sums of many increments may leave of them
 
 }  // namespace
 
@@ -121,7 +123,10 @@ kernels::BodyForces Simulation::body_forces(int level) const {
       f.mean_ground = -1.0 * program_.mean_acceleration();
     }
   }
-  if (relaxation_.on()) f.gravity = f.ground = {};  // weights are among the forces of the rows
+  if (relaxation_.on()) {
+    f.gravity = f.ground = {};  // weights are among the forces of the rows
+    f.round_off = kRestRoundOff;
+  }
   return f;
 }
 

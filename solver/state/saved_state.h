@@ -15,7 +15,7 @@ namespace voussoir::solver {
 
 /// Increased by every change that alters the numbers of a run ("Results change" in the changelog): a run is only continued by a program
 /// that computes the same numbers.
-inline constexpr std::int64_t kPhysicsVersion = 23;
+inline constexpr std::int64_t kPhysicsVersion = 24;
 
 /// The values of one field.
 struct SavedField {

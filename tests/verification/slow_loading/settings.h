@@ -16,7 +16,8 @@ struct RestSetting {
   std::string words;
   double tolerance = 1.0, path_step = 1.0;  // factors
 };
-inline const RestSetting kRestSettings[] = {{"ten times the tolerance", 10.0, 1.0}, {"half the step of the path", 1.0, 0.5}};
+inline const RestSetting kRestSettings[] = {
+    {"ten times the tolerance", 10.0, 1.0}, {"a thousandth of the tolerance", 1e-3, 1.0}, {"half the step of the path", 1.0, 0.5}};
 
 inline std::size_t peak_of(const io::CapacityCurve& r) {
   return static_cast<std::size_t>(std::ranges::max_element(r.factor) - r.factor.begin());
