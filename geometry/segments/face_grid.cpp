@@ -18,6 +18,7 @@ namespace {
 constexpr double kEqualAreas = 1e-9;  // relative: pieces that differ by less are as large
 // Of an edge, and of a cell: differences that are no more than the raster of a micrometre on which walls are laid out.
 constexpr double kLaidOut = 2e-4;
+constexpr double kRoundOff = 1e-9;  // of an edge
 
 /// Grid line before column (or row) i of n, on the raster of the corners, so that an edge on a line is on it exactly. The outermost cells
 /// are unbounded, so parts that stick out by round-off are not lost.
@@ -49,14 +50,16 @@ CellCounts count_cells(const Rectangle& box, double size, int subject, int face)
                    subject);
 }
 
-/// The first of the longest edges. Lengths within kLaidOut count as equal: opposite edges differ by round-off or by
-/// the raster, which must not turn the grid.
+/// The first of the longest edges. Of four corners, as faces of walls have them, lengths within kLaidOut count as equal: opposite edges
+/// differ by the raster, which must not turn the grid. Of more corners those within round-off: of nearly regular stones the same edge is
+/// the longest in whatever order the corners are written.
 Vec3 longest_edge(const std::vector<Vec3>& corners) {
   double longest = 0.0;
   const auto edge = [&](std::size_t i) { return corners[(i + 1) % corners.size()] - corners[i]; };
   for (std::size_t i = 0; i < corners.size(); ++i) longest = std::max(longest, norm(edge(i)));
+  const double alike = corners.size() > 4 ? kRoundOff : kLaidOut;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    if (norm(edge(i)) >= (1.0 - kLaidOut) * longest) return edge(i);
+    if (norm(edge(i)) >= (1.0 - alike) * longest) return edge(i);
   }
   return edge(0);
 }
