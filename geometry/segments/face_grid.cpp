@@ -18,7 +18,7 @@ namespace {
 constexpr double kEqualAreas = 1e-9;  // relative: pieces that differ by less are as large
 // Of an edge, and of a cell: differences that are no more than the raster of a micrometre on which walls are laid out.
 constexpr double kLaidOut = 2e-4;
-constexpr double kRoundOff = 1e-9;  // of an edge
+constexpr double kRoundOff = 1e-9;  // of an edge, by which lengths of two that are equal differ
 
 /// Grid line before column (or row) i of n, on the raster of the corners, so that an edge on a line is on it exactly. The outermost cells
 /// are unbounded, so parts that stick out by round-off are not lost.
@@ -50,18 +50,21 @@ CellCounts count_cells(const Rectangle& box, double size, int subject, int face)
                    subject);
 }
 
-/// The first of the longest edges. Of four corners, as faces of walls have them, lengths within kLaidOut count as equal: opposite edges
-/// differ by the raster, which must not turn the grid. Of more corners those within round-off: of nearly regular stones the same edge is
-/// the longest in whatever order the corners are written.
+/// The first of the longest edges, but for round-off, or one before it that is as long within kLaidOut and parallel or square to it: sides
+/// of rectangles differ by the raster, which must not turn the grid. Edges at another angle need not be so near to be told apart: of a
+/// nearly regular stone the same one is the longest in whatever order its corners stand.
 Vec3 longest_edge(const std::vector<Vec3>& corners) {
-  double longest = 0.0;
   const auto edge = [&](std::size_t i) { return corners[(i + 1) % corners.size()] - corners[i]; };
+  double longest = 0.0;
   for (std::size_t i = 0; i < corners.size(); ++i) longest = std::max(longest, norm(edge(i)));
-  const double alike = corners.size() > 4 ? kRoundOff : kLaidOut;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    if (norm(edge(i)) >= (1.0 - alike) * longest) return edge(i);
+  std::size_t first = 0;
+  while (norm(edge(first)) < (1.0 - kRoundOff) * longest) ++first;
+  for (std::size_t i = 0; i < first; ++i) {
+    const double least = kLaidOut * longest * longest;
+    const bool of_rectangle = norm(cross(edge(i), edge(first))) <= least || std::abs(dot(edge(i), edge(first))) <= least;
+    if (of_rectangle && norm(edge(i)) >= (1.0 - kLaidOut) * longest) return edge(i);
   }
-  return edge(0);
+  return edge(first);
 }
 
 /// A length without its round-off: to twelve decimals for cells of some centimetres. Lengths are drawn in decimals, and 7 cells of 0.1 must

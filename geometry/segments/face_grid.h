@@ -12,7 +12,7 @@
 namespace voussoir::geometry {
 
 /// The cells of one face, but not where it lies. Its plane coordinates (s, t) [m] start at the corner of the bounding rectangle; s runs
-/// along the longest edge (the first of equals in the loop; of four corners within 2e-4), t = normal × s. Corners lie on a raster of
+/// along the longest edge (of rectangles the first within 2e-4), t = normal × s. Corners lie on a raster of
 /// `quantum`, far finer than building tolerances, so that faces equal up to round-off have equal bits.
 struct FaceGrid : FrameAxes {
   Polygon polygon;                             // the face
