@@ -67,7 +67,7 @@ std::vector<Lever> levers_of_plan(const Case& c, const Model& model) {
 }  // namespace
 
 std::vector<Lever> levers(const Case& c, const Model& model) {
-  if (c.segment_rule == geometry::SegmentRule::rim) return {};
+  if (c.segment_rule != geometry::SegmentRule::centres) return {};
   if (c.house) return levers_of_walls(*c.house, model);
   if (!c.walls.empty()) return levers_of_plan(c, model);
   Lever coarsest;

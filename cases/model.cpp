@@ -216,6 +216,22 @@ void assemble(const Case& c, int threads, Model& model) {
   }
 }
 
+/// Points at corners alone have three times the second moment of a rectangle: right for what turns about its edges, not for stresses.
+void refuse_bonds_at_corners(const Case& c, const Model& model) {
+  if (c.segment_rule != geometry::SegmentRule::corners) return;
+  for (std::size_t i = 0; i < model.joint_law.size(); ++i) {
+    const NamedLaw& law = nth(model.laws, model.joint_law[i]);
+    if (law.never_breaks || (law.value.tension == 0.0 && law.value.cohesion == 0.0)) continue;
+    const geometry::Joint& joint = model.assembly.joints[i];
+    const Block* b = beyond(model, joint);
+    throw InputError("segments.rule", "= \"corners\": is of joints without a bond, but that of " +
+                                          describe(nth(model.blocks, joint.element_a), static_cast<std::size_t>(joint.element_a)) +
+                                          " and " + (b == nullptr ? "the base" : describe(*b, static_cast<std::size_t>(joint.element_b))) +
+                                          " has the law \"" + law.name +
+                                          "\", with tension or cohesion; allowed with bonds: \"centres\", \"rim\"");
+  }
+}
+
 void pick_laws(const JointRules& rules, const StoneLaws& stones, Model& model) {
   model.joint_law.reserve(model.assembly.joints.size());
   for (const geometry::Joint& joint : model.assembly.joints) {
@@ -308,6 +324,7 @@ Model build_model(const Case& c, int threads) {
   const JointRules rules(c, model);
   assemble(c, threads, model);
   pick_laws(rules, StoneLaws(c, model, rules.default_law()), model);
+  refuse_bonds_at_corners(c, model);
   model.joint_strength = strength_factors(c.scatter, model);
   Faults faults;
   if (!faults.attempt([&] { place_ties(c, laid.walls, model); })) {

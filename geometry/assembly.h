@@ -49,7 +49,7 @@ struct Joint : SharedFrame {
 };
 
 /// Segments of one face that are in no joint. Same convention for the frame (normal outward of the element).
-/// Under SegmentRule::rim the free part of a face is cut into convex polygons, each with its area and points that keep a hundredth of the
+/// Under SegmentRule::rim and corners the free part of a face is cut into convex polygons, each with its area and points that keep a hundredth of the
 /// segment size inside its edges: neighbouring faces of a standing wall are flush, so round-off would decide whether a point on an edge is
 /// in contact.
 struct FreePatch : SharedFrame {
@@ -98,7 +98,8 @@ struct Part {
 /// (s, t) are multiples of 2^-40 m, so that equal patches are equal bit by bit.
 ///
 /// Under SegmentRule::rim the points of a joint are those of append_rim_points (geometry/segments/rim_points.h) over the overlap, with the
-/// smaller segment size of the two elements, and every joint between two elements is merged.
+/// smaller segment size of the two elements, and every joint between two elements is merged. Under SegmentRule::corners likewise, with the
+/// points of append_corner_points.
 ///
 /// Joints with ground have only the points of the other element, as joints with the base have, and are merged; faces of ground have no
 /// patches.

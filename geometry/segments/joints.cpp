@@ -150,7 +150,7 @@ class FaceCutter {
 
   void cut_face(std::int32_t element, std::int32_t face, std::span<const Side> sides) {
     if (is_ground(scene_, element)) return;
-    if (rule_ == SegmentRule::rim) {
+    if (rule_ != SegmentRule::centres) {
       cut_face_to_rim(element, face, sides);
       return;
     }
@@ -172,8 +172,12 @@ class FaceCutter {
  private:
   [[nodiscard]] double size_of(std::int32_t element) const { return nth(scene_.parts, element).segment_size; }
 
-  /// Cuts a face under SegmentRule::rim: points of each joint in which the face is face_a, and of convex polygons that make up its free
-  /// part.
+  void append_points(const Polygon& polygon, double size, std::vector<Segment>& out) const {
+    rule_ == SegmentRule::rim ? append_rim_points(polygon, size, out) : append_corner_points(polygon, out);
+  }
+
+  /// Cuts a face under SegmentRule::rim and corners: points of each joint in which the face is face_a, and of convex polygons that make up
+  /// its free part.
   void cut_face_to_rim(std::int32_t element, std::int32_t face, std::span<const Side> sides) {
     const PlacedGrid& placed = scene_.grids[face_index(scene_, element, face)];
     const FaceGrid& g = *placed.grid;
@@ -183,7 +187,7 @@ class FaceCutter {
       if (!side.is_b) {
         const double size = c.element_b == kBase ? size_of(c.element_a) : std::min(size_of(c.element_a), size_of(c.element_b));
         Draft draft;
-        append_rim_points(c.overlap, size, draft.side_a);
+        append_points(c.overlap, size, draft.side_a);
         finish_joint(side.contact, std::move(draft));
       }
       const Polygon& overlap = overlap_on(side);
@@ -197,7 +201,7 @@ class FaceCutter {
       if (area < kSmallPiece * g.cell_area()) continue;
       const Polygon inside = moved_in(p, kInset * size_of(element));
       const std::size_t first = segments_.size();
-      append_rim_points(inside, size_of(element), segments_);
+      append_points(inside, size_of(element), segments_);
       for (std::size_t i = first; i < segments_.size(); ++i) segments_[i].area *= area / region(inside).area;
     }
     add_patch(element, face, placed);
@@ -240,7 +244,7 @@ class FaceCutter {
     const PlacedGrid& placed = scene_.grids[face_index(scene_, c.element_a, c.face_a)];
     Joint& joint = nth(joints_, contact);
     check_sum(c, draft.side_a, "a");
-    if (rule_ == SegmentRule::rim || (c.element_b != kBase && is_ground(scene_, c.element_b))) {
+    if (rule_ != SegmentRule::centres || (c.element_b != kBase && is_ground(scene_, c.element_b))) {
       joint.merged = c.element_b != kBase;  // both elements share the points of side a
     } else if (c.element_b != kBase) {
       check_sum(c, draft.side_b, "b");

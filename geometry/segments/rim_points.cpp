@@ -175,6 +175,27 @@ void append_rim_points(const Polygon& polygon, double size, std::vector<Segment>
   for (std::size_t i = first; i < out.size(); ++i) out[i].area *= scale;
 }
 
+void append_corner_points(const Polygon& polygon, std::vector<Segment>& out) {
+  const Polygon p = cleaned(polygon);
+  if (p.size() < 3) return;
+  const auto corner = [&](std::size_t i) { return p[i % p.size()]; };
+  const Region whole = region(polygon);
+  // Of the triangle from the centroid to each edge: twice its area. Of each corner: by Wachspress, the area of the triangle that it makes
+  // with its neighbours over the two triangles beside it.
+  std::vector<double> edge(p.size()), coordinate(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i) edge[i] = cross(p[i] - whole.centroid, corner(i + 1) - whole.centroid);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Point2 before = corner(i + p.size() - 1);
+    coordinate[i] = cross(p[i] - before, corner(i + 1) - before) / (edge[(i + p.size() - 1) % p.size()] * edge[i]);
+    sum += coordinate[i];
+  }
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double beside = (edge[(i + p.size() - 1) % p.size()] + edge[i]) / 6.0;
+    out.push_back({p[i].s, p[i].t, beside + whole.area / 3.0 * coordinate[i] / sum});
+  }
+}
+
 Polygon moved_in(const Polygon& polygon, double inset) {
   Polygon out = polygon, scratch;
   for (std::size_t i = 0; i < polygon.size() && !out.empty(); ++i) {

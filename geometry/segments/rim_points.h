@@ -23,6 +23,13 @@ namespace voussoir::geometry {
 /// \pre convex, counter-clockwise, size > 0
 void append_rim_points(const Polygon& polygon, double size, std::vector<Segment>& out);
 
+/// Appends the corners of the polygon [m] as points with weights [m2] that are positive, sum to its area and give its first moments exactly
+/// (SegmentRule::corners). A triangle from the centroid to an edge gives a third of its area to each of its corners; the third of the
+/// centroid goes to all corners by Wachspress' coordinates, so that of a parallelogram all weights are equal.
+/// Corners nearer than 1e-11 m to each other, or to the line through their neighbours, are ignored.
+/// \pre convex, counter-clockwise
+void append_corner_points(const Polygon& polygon, std::vector<Segment>& out);
+
 /// The polygon with its edges moved inward by `inset` [m]; where nothing would be left, a copy of half the size about its centroid.
 /// \pre the polygon has an area
 Polygon moved_in(const Polygon& polygon, double inset);

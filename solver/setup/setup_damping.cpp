@@ -150,7 +150,7 @@ void set_up_damping_bound(World& w) {
   // Each range goes through all joints and adds to its own elements alone, so every element gets its segments in one order.
   const std::int64_t at_a_time = (w.elements.count + w.team.size() - 1) / w.team.size();
   w.team.share_out(w.elements.count, std::max<std::int64_t>(at_a_time, 1), [&](std::int64_t first, std::int64_t last) {
-    if (a.rule == geometry::SegmentRule::rim) {
+    if (a.rule != geometry::SegmentRule::centres) {
       for (std::int64_t i = first; i < last; ++i) {
         for (std::int32_t f = 0; f < a.elements[static_cast<std::size_t>(i)].face_count; ++f)
           matrices.add_whole(static_cast<std::int32_t>(i), f);

@@ -129,7 +129,7 @@ void set_up_overlaps(World& w) {
                        .faces = std::span<const kernels::Face>(w.faces).subspan(r.first_face, r.face_count),
                        .creases = std::span(o.creases).subspan(r.creases, r.crease_count)});
   }
-  const bool little = m.assembly.rule == geometry::SegmentRule::rim || w.contact.restitution > 0.0;
+  const bool little = m.assembly.rule != geometry::SegmentRule::centres || w.contact.restitution > 0.0;
   const double allowed = little ? kLittleAllowed : kAllowed;
   // A cube of the same volume, between its centroid and a face (Eq. 1 over that face): 2 E' V^(1/3).
   for (std::size_t i = 0; i < m.blocks.size(); ++i) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "tests/cases/paper_house.h"
+#include "tests/cases/refused.h"
 
 using namespace voussoir;
 using namespace voussoir::cases;
@@ -84,4 +85,32 @@ TEST_CASE("levers: a round joint has no number of segments across") {
   const Model m = build_model(c);
   REQUIRE(m.assembly.joints.size() == 1);
   CHECK(levers(c, m).empty());
+}
+
+TEST_CASE("points at the corners: four of a joint of two boxes, and none with a bond") {
+  Case c = two_blocks(0.05);
+  c.segment_rule = geometry::SegmentRule::corners;
+  const Model m = build_model(c);
+  CHECK(levers(c, m).empty());
+  REQUIRE(m.assembly.joints.size() == 2);
+  for (const geometry::Joint& j : m.assembly.joints) {
+    REQUIRE(j.side_a.size() == 4);
+    for (const geometry::Segment& p : j.side_a) {
+      CHECK(std::abs(p.s) == doctest::Approx(0.2));
+      CHECK(std::abs(p.t) == doctest::Approx(0.1));
+      CHECK(p.area == doctest::Approx(0.02));
+    }
+  }
+  c.joint_laws["mortar"].tension = 1e4, c.joint_laws["mortar"].compression = 1e6;
+  testing::check_refused(
+      c, [](Case& x) { x.joints.default_law = "mortar"; }, "segments.rule", "block \"b0\" (element 0) and the base has the law \"mortar\"");
+  testing::check_refused(
+      c,
+      [](Case& x) {
+        x.joints.between.push_back({{"stone", "stone"}, "mortar"});
+      },
+      "segments.rule", "block \"b0\" (element 0) and block \"b1\" (element 1) has the law \"mortar\"");
+  c.joint_laws["mortar"].tension = 0.0;
+  c.joints.default_law = "mortar";  // neither tension nor cohesion
+  CHECK_NOTHROW(build_model(c));
 }

@@ -88,6 +88,24 @@ std::vector<Segment> check_rule(const Polygon& polygon, double size) {
   return points;
 }
 
+/// What holds for the corners of every polygon as points; \return the points.
+std::vector<Segment> check_corners(const Polygon& polygon) {
+  std::vector<Segment> points;
+  append_corner_points(polygon, points);
+  const Point2 centre = region(polygon).centroid;
+  const Moments got = of_points(points, centre), exact = of_polygon(polygon, centre);
+  const double moment = exact.ss + exact.tt;
+  REQUIRE(points.size() == polygon.size());
+  CHECK(got.area == relative(exact.area, 1e-12));
+  CHECK(near(got.s, 0.0, 1e-12 * std::sqrt(moment * exact.area)));
+  CHECK(near(got.t, 0.0, 1e-12 * std::sqrt(moment * exact.area)));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    CHECK(points[i].area > 0.0);
+    CHECK(near(std::hypot(points[i].s - polygon[i].s, points[i].t - polygon[i].t), 0.0, 1e-12));
+  }
+  return points;
+}
+
 /// Corners at random angles of an ellipse.
 Polygon random_polygon(Random& random, int corners) {
   std::vector<double> angles;
@@ -103,6 +121,36 @@ Assembly assemble_rim(const std::vector<Polyhedron>& shapes, double size, std::o
 }
 
 }  // namespace
+
+TEST_SUITE("corner points") {
+  TEST_CASE("exact area and first moments, positive weights; of a parallelogram equal ones") {
+    Random random(17);
+    for (int k = 0; k < 400; ++k) check_corners(random_polygon(random, 3 + k % 8));
+    for (const Segment& p : check_corners({{0.0, 0.0}, {0.3, 0.1}, {0.35, 0.25}, {0.05, 0.15}}))
+      CHECK(p.area == relative(0.04 / 4.0, 1e-12));
+  }
+
+  TEST_CASE("a polygon that is turned, mirrored or begins with another corner has the same weights") {
+    Random random(18);
+    for (int k = 0; k < 100; ++k) {
+      const Polygon p = random_polygon(random, 3 + k % 6);
+      const double angle = random.uniform(0.0, 6.0);
+      Polygon other;
+      for (auto q = p.rbegin(); q != p.rend(); ++q)
+        other.push_back({std::cos(angle) * q->s + std::sin(angle) * q->t, std::sin(angle) * q->s - std::cos(angle) * q->t});
+      std::rotate(other.begin(), other.begin() + 1, other.end());
+      const auto points = check_corners(p), others = check_corners(other);
+      for (std::size_t i = 0; i < p.size(); ++i) CHECK(points[i].area == relative(others[(2 * p.size() - 2 - i) % p.size()].area, 1e-10));
+    }
+  }
+
+  TEST_CASE("corners that coincide or lie in line are no points") {
+    std::vector<Segment> points;
+    append_corner_points({{0.0, 0.0}, {0.1, 0.0}, {0.2, 0.0}, {0.2, 0.1}, {0.2, 0.1 + 1e-13}, {0.0, 0.1}}, points);
+    REQUIRE(points.size() == 4);
+    for (const Segment& p : points) CHECK(p.area == relative(0.005, 1e-9));
+  }
+}
 
 TEST_SUITE("rim points") {
   TEST_CASE("rectangles: exact moments, positive weights, points at the corners") {

@@ -268,6 +268,8 @@ def finish(rng, case):
     if rng.random() < 0.3:
         case.gravity += numpy.array([rng.uniform(-0.5, 0.5), rng.uniform(-0.5, 0.5), 0.0])
     case.rule = rng.choice(["centres", "rim"])
+    if case.rule == "rim" and ", dry" in case.kind and not case.house and len(case.blocks) % 2:
+        case.rule = "corners"
     record(rng, case, 10.0 ** rng.uniform(-0.3, 0.7))
     angle = math.radians(rng.uniform(0.0, 360.0))
     case.live = numpy.array([math.cos(angle), math.sin(angle), 0.0])

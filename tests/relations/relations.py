@@ -163,7 +163,7 @@ def other_order(rng, case):
     rng.shuffle(out.blocks)
     rng.shuffle(out.loads)
     out.growing.reverse()
-    if out.rule == "rim":  # with "centres" the grid begins at the first corner of a face
+    if out.rule != "centres":  # with "centres" the grid begins at the first corner of a face
         for b in out.blocks:
             order = list(range(len(b.vertices)))
             rng.shuffle(order)

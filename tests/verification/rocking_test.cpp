@@ -3,23 +3,24 @@
 #include <algorithm>
 #include <vector>
 
+#include "cases/names.h"
 #include "tests/verification/collapse.h"
 #include "tests/verification/contact/contact_by_hand.h"
 
 // V4: a stiff block rocks about its outermost rows of contact points, which lie at b_e = b (1 − 1/n) (Housner 1963), or, with
-// segments.rule = "rim", at b_e = b.
+// segments.rule = "rim" and "corners", at b_e = b.
 namespace voussoir::testing {
 namespace {
 
 /// The block of rocking.toml and tilt.toml.
 struct Block {
-  double b = 0.1, h = 0.4;  // m, half width and half height
-  int points = 8;           // segments over the base
-  bool rim = false;         // segments.rule
+  double b = 0.1, h = 0.4;       // m, half width and half height
+  int points = 8;                // segments over the base
+  std::string rule = "centres";  // segments.rule
 
-  [[nodiscard]] double lever() const { return rim ? b : b * (1.0 - 1.0 / points); }
+  [[nodiscard]] double lever() const { return rule == "centres" ? b * (1.0 - 1.0 / points) : b; }
   [[nodiscard]] std::vector<std::string> segments() const {
-    return {"segments.size=" + std::to_string(2.0 * b / points), std::string("segments.rule=") + (rim ? "\"rim\"" : "\"centres\"")};
+    return {"segments.size=" + std::to_string(2.0 * b / points), "segments.rule=" + rule};
   }
   [[nodiscard]] double alpha() const { return std::atan(lever() / h); }
   [[nodiscard]] double radius() const { return std::hypot(lever(), h); }
@@ -51,6 +52,10 @@ History rock(const Block& block, double theta0, double end, const std::vector<st
   const double w = std::sqrt(2.0 * block.height(theta0) / block.inertia());
   std::vector<std::string> keys{triple("block[0].velocity", block.h * w, 0.0, block.lever() * w),
                                 triple("block[0].angular_velocity", 0.0, w, 0.0)};
+  if (block.h != 0.4) {
+    const std::string side = std::to_string(block.b), top = std::to_string(2.0 * block.h);
+    keys.push_back("block[0].box=[[-" + side + ",-" + side + ",0],[" + side + "," + side + "," + top + "]]");
+  }
   for (const std::string& key : block.segments()) keys.push_back(key);
   keys.insert(keys.end(), more.begin(), more.end());
   Run run("rocking", keys);
@@ -200,7 +205,7 @@ TEST_CASE("V4: tilt test") {
 
 TEST_CASE("V4: points to the rim, n = 4: a block turns about its edge") {
   Block block;
-  block.points = 4, block.rim = true;
+  block.points = 4, block.rule = "rim";
   const double theta0 = 0.5 * block.alpha();
   const History h = rock(block, theta0, 1.4);
   std::size_t at = 1;
@@ -210,6 +215,34 @@ TEST_CASE("V4: points to the rim, n = 4: a block turns about its edge") {
   expect_near("V4 rim: quarter period from half the angle of overturning [s]", h.time[at] - first.time, block.quarter_period(theta0), 1e-2);
   expect_near("V4 rim: tangent of the tilt at which the block topples, against b/h", std::tan(tilt_that_topples(block)), block.b / block.h,
               1e-2);
+}
+
+// Between two edges there is nothing that bears: Housner's impact, whatever the stiffness, the dashpots and the height.
+TEST_CASE("V4: points at the corners: a block turns about its edge and loses in an impact what Housner's loses") {
+  Block block;
+  block.rule = "corners";
+  const double theta0 = 0.5 * block.alpha();
+  const History h = rock(block, theta0, 1.4);
+  std::size_t at = 1;
+  const Peak first = next_peak(h, at);
+  REQUIRE(at < h.time.size());
+  expect_near("V4 corners: quarter period from half the angle of overturning [s]", h.time[at] - first.time, block.quarter_period(theta0),
+              1e-2);
+  expect_near("V4 corners: tangent of the tilt at which the block topples, against b/h", std::tan(tilt_that_topples(block)),
+              block.b / block.h, 1e-2);
+  struct Way {
+    double height;
+    std::string key;
+  };
+  for (const Way& way : {Way{0.4, ""}, Way{0.4, "contact.damping=0.1"}, Way{0.4, "contact.restitution=0.5"},
+                         Way{0.4, "materials.stone.young=9.8e8"}, Way{0.3, ""}, Way{0.6, ""}, Way{0.8, ""}}) {
+    block.h = way.height;
+    const double kept = 1.0 - 2.0 * block.lever() * block.lever() / block.inertia();
+    std::vector<std::string> more;
+    if (!way.key.empty()) more.push_back(way.key);
+    expect_within("V4 corners: energy ratio at the first impact, h/b = " + cases::text(block.h / block.b) + " " + way.key,
+                  energy_ratio(block, rock(block, 0.5 * block.alpha(), 1.8, more)), kept * kept, 0.03);
+  }
 }
 
 TEST_CASE("V4: tilt test, convergence with the size of segments" * doctest::skip()) {

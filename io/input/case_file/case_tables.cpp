@@ -196,9 +196,12 @@ Table<Case> segments_table() {
                    "for all faces; none: per unit, a quarter of its shortest edge; of a block with faces, and of a piece of a stone, a "
                    "quarter of the least distance between a face and the corner farthest behind it (of a box its shortest edge)"),
        choice<Case, geometry::SegmentRule Case::*, geometry::SegmentRule>(
-           "rule", &Case::segment_rule, "", {{"centres", geometry::SegmentRule::centres}, {"rim", geometry::SegmentRule::rim}},
+           "rule", &Case::segment_rule, "",
+           {{"centres", geometry::SegmentRule::centres}, {"rim", geometry::SegmentRule::rim}, {"corners", geometry::SegmentRule::corners}},
            "where contact points lie: at the centres of n equal cells (the paper's; levers are short by 1/n: a wall of 0.20 m with 4 "
-           "segments across overturns at three quarters of its slope), or up to the rim of each joint, with exact area and moments"),
+           "segments across overturns at three quarters of its slope), or up to the rim of each joint, with exact area and moments; "
+           "corners: at the corners of each joint "
+           "alone, for dry stones that turn about their edges (an impact takes the energy that Housner's block loses)"),
        choice<Case, geometry::Torsion Case::*, geometry::Torsion>(
            "torsion", &Case::segment_torsion, "", {{"paper", geometry::Torsion::paper}, {"solid", geometry::Torsion::solid}},
            "how stiff bonded joints are against a twist about their normals: G I_p (the paper's: a column of 1.0 x 0.1 m is 27 times too "

@@ -1221,7 +1221,8 @@ class Segments(Part):
     size, m: for all faces; none: per unit, a quarter of its shortest edge; of a block with faces, and of a piece of a stone, a quarter of the least
       distance between a face and the corner farthest behind it (of a box its shortest edge); > 0, usually 0.001 to 2, possible 1e-6 to 2000
     rule: where contact points lie: at the centres of n equal cells (the paper's; levers are short by 1/n: a wall of 0.20 m with 4 segments across
-      overturns at three quarters of its slope), or up to the rim of each joint, with exact area and moments; default "centres"
+      overturns at three quarters of its slope), or up to the rim of each joint, with exact area and moments; corners: at the corners of each joint
+      alone, for dry stones that turn about their edges (an impact takes the energy that Housner's block loses); default "centres"
     torsion: how stiff bonded joints are against a twist about their normals: G I_p (the paper's: a column of 1.0 x 0.1 m is 27 times too stiff), or
       Saint-Venant's constant of bars and plates in place of I_p; default "paper"
     """
@@ -1229,7 +1230,7 @@ class Segments(Part):
     _table: ClassVar[str] = "segments"
 
     size: float | None = None
-    rule: Literal["centres", "rim"] | None = None
+    rule: Literal["centres", "rim", "corners"] | None = None
     torsion: Literal["paper", "solid"] | None = None
 
 

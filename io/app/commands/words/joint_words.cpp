@@ -31,7 +31,7 @@ void print_levers(const cases::Case& c, const cases::Model& m) {
     }
     std::printf("\n");
   }
-  if (c.segment_rule == geometry::SegmentRule::rim) std::printf("lever arms of joints     exact\n");
+  if (c.segment_rule != geometry::SegmentRule::centres) std::printf("lever arms of joints     exact\n");
   if (!levers.empty()) std::printf("                         segments.rule = \"rim\" has exact ones\n");
 }
 

@@ -148,7 +148,7 @@ TEST_CASE("faults: words out of a few") {
   CHECK(refusal("[house]\nbond = \"dutch\"") ==
         "test.toml:2: house.bond = \"dutch\": must be \"english\" | \"running\" | \"header\" | \"flemish\" | \"rubble\"");
   CHECK(refusal("[failure]\nshear = true") == "test.toml:2: failure.shear = true: must be \"on\" | \"off\"");
-  CHECK(refusal("[segments]\nrule = \"edges\"") == "test.toml:2: segments.rule = \"edges\": must be \"centres\" | \"rim\"");
+  CHECK(refusal("[segments]\nrule = \"edges\"") == "test.toml:2: segments.rule = \"edges\": must be \"centres\" | \"rim\" | \"corners\"");
   CHECK(refusal("[house]\nturn = 45") == "test.toml:2: house.turn = 45 degrees: must be 0 | 90 | 180 | 270");
   CHECK(refusal("[house]\nturn = 90.0") == "accepted");
   CHECK(refusal("[house]\nturn = \"90\"") != "accepted");
