@@ -81,10 +81,10 @@ class Analysis {
     p.motion = checks_.check_motion(s.motion);
     p.lower = s.multiplier;
     p.upper = (p.motion.tie_power - p.motion.dead_power) / p.motion.live_power + checks_.slack_of_bound(forces, p.motion);
-    const double gap = std::abs(p.upper - p.lower);
+    const double gap = std::abs(p.upper - p.lower) / std::max(p.lower, LimitProof::kLeast * balance_.live_scale());
+    p.wide = gap > LimitProof::kGap;
     p.holds = p.forces.worst() <= LimitProof::kForces && p.motion.off_normal <= LimitProof::kMotion &&
-              p.motion.stretch <= LimitProof::kMotion && p.motion.live_power > 0.0 &&
-              gap <= LimitProof::kGap * std::max(p.lower, LimitProof::kLeast * balance_.live_scale());
+              p.motion.stretch <= LimitProof::kMotion && p.motion.live_power > 0.0 && gap <= LimitProof::kWidest;
     if (p.holds) return;
     std::array<char, 300> text{};
     std::snprintf(
@@ -105,10 +105,9 @@ class Analysis {
     const MotionCheck m = checks_.check_motion(s.motion);
     const double least = std::max(kFalls * m.dead_terms, kCertain * std::max(m.off_normal, m.stretch) * forces_.weight);
     if (std::max(m.off_normal, m.stretch) > LimitProof::kMotion || !(m.dead_power - m.tie_power > least)) throw no_proof();
-    throw cases::InputError(
-        "", "does not stand under its dead loads alone, as dry blocks with the friction of their contacts" +
-                std::string(model_.ties.empty() ? "" : " and its ties") + ": a mechanism was found and checked in which " +
-                fastest(s.motion) + " moves fastest");
+    throw cases::InputError("", "does not stand under its dead loads alone, as dry blocks with the friction of their contacts" +
+                                    std::string(model_.ties.empty() ? "" : " and its ties") +
+                                    ": a mechanism was found and checked in which " + fastest(s.motion) + " moves fastest");
   }
   [[noreturn]] void refuse_what_never_falls() const {
     ConeProgramme alone{balance_.live(), std::vector<double>(balance_.rows(), 0.0), LpGoal::most, 1.0, {}, {}};

@@ -75,9 +75,11 @@ struct LimitProof {
   MotionCheck motion;
   double lost_power = 0.0;  // Coulomb's flow: LimitModel::lost_power
   bool holds = false;
+  bool wide = false;  // the two bounds differ by more than kGap
 
   static constexpr double kForces = 1e-6, kMotion = 1e-6;  // allowed violations
   static constexpr double kGap = 1e-6, kLeast = 1e-2;      // of the multiplier, or of kLeast if the multiplier is less
+  static constexpr double kWidest = 1e-4;                  // likewise; beyond it none is printed
   static constexpr double kLost = 1e-4;                    // of the multiplier: allowed deficit of the power of Coulomb's friction
 };
 

@@ -11,7 +11,7 @@ PAGE = 1e-4  # a page has fewer digits
 REST = 1e-3  # what the tolerance of states of rest leaves open
 ONE = 0.5  # counts: the same
 # Of numbers by the beginning of their names; the first that fits.
-TABLE = {"check": (("", STATIC),),
+TABLE = {"check": (("step_bound", 1e-8), ("", STATIC)),  # bricks of plans, scaled, end on whole nanometres
          "limit": (("points", ONE), ("multiplier", PROGRAMME), ("kinematic: weight", STATIC), ("kinematic", 1e-6), ("", STATIC)),
          "modes": (("frequency", MODES), ("mass", 2e-4)),
          "run": (("frames", SINGLE), ("element", STATIC), ("joint", STATIC), ("motion", STATIC), ("summary: peak_drift", 1e-4), ("", DYNAMIC)),

@@ -11,6 +11,7 @@ import h5py
 import numpy
 
 import data
+import limits
 
 # peaks: of each axis by itself; sided: with the sign of right or left
 SCALAR, SIDED, VECTOR, AXIAL, PEAKS, COUNT = "scalar", "sided", "vector", "axial", "peaks", "count"
@@ -68,7 +69,9 @@ def limit(voussoir, case, path, more):
         if answer in done.stderr:
             return {"verdict: " + answer: Value(numpy.array(1), COUNT)}
     said = json_of(done)
-    return {"multiplier": Value(numpy.array(said["associated"]["multiplier"]), SCALAR, ONE, floor=1e-3),
+    proof = said["associated"]["proof"]
+    known = max(1e-3, (proof["upper"] - proof["lower"]) / limits.PROGRAMME)  # the program may say that last digits are not proven
+    return {"multiplier": Value(numpy.array(said["associated"]["multiplier"]), SCALAR, ONE, floor=known),
             "weight": Value(numpy.array(said["weight"]), SCALAR, FORCE), "points": Value(numpy.array(said["points"]), COUNT)} | kinematics(case, said["associated"]["kinematic"])
 
 

@@ -120,7 +120,8 @@ std::string tie_words(const solver::LimitState& s, const cases::Model& model, co
     const bool bears = std::abs(s.ties[k]) > kBears * r.weight;
     if (bar.mesh >= 0) ++all_bars, bars += bears ? 1 : 0;
     if (bar.mesh < 0 && bears)
-      rods.push_back(bar.name + printed(" %.2f kN", 1e-3 * s.ties[k]) + (std::abs(s.ties[k]) > (1.0 - 1e-6) * bar.yield ? ", it yields" : ""));
+      rods.push_back(bar.name + printed(" %.2f kN", 1e-3 * s.ties[k]) +
+                     (std::abs(s.ties[k]) > (1.0 - 1e-6) * bar.yield ? ", it yields" : ""));
   }
   std::string out = std::to_string(rods.size() + bars) + " of " + std::to_string(s.ties.size()) + " bear";
   for (std::size_t k = 0; k < std::min(kMostLines, rods.size()); ++k) out += (k == 0 ? ": " : "; ") + rods[k];
@@ -293,6 +294,7 @@ std::string limit_text(const LimitQuestion& asked, const cases::Model& model, co
   };
   put("multiplier, associated", multiplier(r.associated) + "; no mechanism of Coulomb's friction has a higher one");
   put("proof", associated_proof(r.associated.proof));
+  if (r.associated.proof.wide) put("not proven", "last digits of the associated multiplier: it lies between these two");
   const bool both = asked.options.coulomb;
   if (!r.associated.ties.empty()) put("ties", tie_words(r.associated, model, r));
   put("multiplier, Coulomb", !both                ? "not asked for (--associated)"
