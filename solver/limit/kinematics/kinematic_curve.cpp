@@ -18,10 +18,10 @@
 namespace voussoir::solver {
 namespace {
 
-constexpr double kBears = 1e-6;  // of the moving weight: a tie that bears less bears nothing
-constexpr double kAtRest = 1e-3;        // of the fastest point: relative speed of a point on a hinge
-constexpr double kRank = 3e-3;          // singular value, of the mean norm of columns, below which a hinge holds nothing
-constexpr int kSteps = 200;             // up to the displacement at which the first slope would lead to zero
+constexpr double kBears = 1e-6;   // of the moving weight: a tie that bears less bears nothing
+constexpr double kAtRest = 1e-3;  // of the fastest point: relative speed of a point on a hinge
+constexpr double kRank = 3e-3;    // singular value, of the mean norm of columns, below which a hinge holds nothing
+constexpr int kSteps = 200;       // up to the displacement at which the first slope would lead to zero
 constexpr int kMostSteps = 5 * kSteps;
 constexpr double kFirstStep = 1e-4;  // m, of the fastest point
 
@@ -58,16 +58,29 @@ struct Place {
 
 Vec3 turned(const Place& p, Vec3 arm) { return p.turn * arm; }
 
+/// Part of each body; −1: at rest, the ground.
+std::vector<std::int32_t> parts_by_body(const LimitContacts& contacts, const Mechanism& mechanism) {
+  std::vector<std::int32_t> part_of(contacts.bodies.size(), -1);
+  for (std::size_t k = 0; k < mechanism.parts.size(); ++k)
+    for (const std::int32_t b : mechanism.parts[k].bodies) nth(part_of, b) = static_cast<std::int32_t>(k);
+  return part_of;
+}
+
+/// Whether a tie holds one part alone, whatever it pulls.
+bool is_within_a_part(const LimitTie& tie, const std::vector<std::int32_t>& part_of) {
+  const auto part = [&](const LimitTie::Hold& h) { return h.body < 0 ? -1 : nth(part_of, h.body); };
+  const std::int32_t first = part(tie.ends[0].front());
+  return std::ranges::all_of(tie.ends, [&](const std::vector<LimitTie::Hold>& end) {
+    return std::ranges::all_of(end, [&](const LimitTie::Hold& h) { return part(h) == first; });
+  });
+}
+
 class Chain {
  public:
   Chain(const cases::Case& c, const cases::Model& model, const LimitContacts& contacts, const Mechanism& mechanism, Vec3 live)
       : live_(live), gravity_(cases::gravity_on_base(c)) {
-    std::vector<std::int32_t> part_of(contacts.bodies.size(), -1);
-    for (std::size_t k = 0; k < mechanism.parts.size(); ++k) {
-      const MechanismPart& p = mechanism.parts[k];
-      for (const std::int32_t b : p.bodies) nth(part_of, b) = static_cast<std::int32_t>(k);
-      mass_.push_back(p.mass), start_.push_back({p.centre}), motion_.push_back(p.motion);
-    }
+    const std::vector<std::int32_t> part_of = parts_by_body(contacts, mechanism);
+    for (const MechanismPart& p : mechanism.parts) mass_.push_back(p.mass), start_.push_back({p.centre}), motion_.push_back(p.motion);
     add_hinges(contacts, mechanism, part_of);
     find_lengths();
     add_loads(c, model, contacts, part_of);
@@ -84,9 +97,7 @@ class Chain {
     if (hinges_.empty()) return before;
     return unpacked(null_part(constraints(at), packed(before), kRank));
   }
-  [[nodiscard]] std::size_t freedoms() const {
-    return hinges_.empty() ? 6 * mass_.size() : nullity(constraints(start_), kRank);
-  }
+  [[nodiscard]] std::size_t freedoms() const { return hinges_.empty() ? 6 * mass_.size() : nullity(constraints(start_), kRank); }
   /// The multiplier by virtual work. NaN: the live forces do no work.
   [[nodiscard]] double multiplier(const std::vector<Place>& at, const std::vector<kernels::Twist>& motion) const {
     double dead = 0.0, live = 0.0;
@@ -202,7 +213,7 @@ class Chain {
     return motion;
   }
 
-  Vec3 live_, gravity_;  // unit; m/s2
+  Vec3 live_, gravity_;                // unit; m/s2
   std::vector<double> mass_, length_;  // kg; m, of a part's hinges from its centre
   std::vector<Place> start_;
   std::vector<kernels::Twist> motion_;  // at first
@@ -304,8 +315,11 @@ KinematicCurve kinematic_curve(const cases::Case& c, const cases::Model& model, 
   out.sliding = static_cast<std::size_t>(std::ranges::count_if(mechanism.seams, [](const MechanismSeam& s) { return !s.hinge; }));
   take_shares(out, parts, live, control, norm(c.gravity.acceleration));
   std::size_t links = 0;
-  for (std::size_t k = 0; k < state.ties.size(); ++k)
-    if (std::abs(state.ties[k]) > kBears * out.weight && std::abs(stretching(contacts.ties[k], contacts, state.motion)) < kAtRest) ++links;
+  const std::vector<std::int32_t> part_of = parts_by_body(contacts, mechanism);
+  for (std::size_t k = 0; k < state.ties.size(); ++k) {
+    const bool bears = std::abs(state.ties[k]) > kBears * out.weight && !is_within_a_part(contacts.ties[k], part_of);
+    if (bears && std::abs(stretching(contacts.ties[k], contacts, state.motion)) < kAtRest) ++links;
+  }
   if (links > 0) {
     out.points.push_back({0.0, state.multiplier});
     out.none = std::to_string(links) + " ties bear without yielding: what they hold is not followed";

@@ -56,6 +56,27 @@ const bool kNone = !solver::has_linear_programmes();
 
 }  // namespace
 
+// Forces of such a tie are in balance by themselves, so a programme may find any.
+TEST_CASE("kinematic: a tie within a part that moves changes nothing, whatever it bears" * doctest::skip(kNone)) {
+  cases::Case c = stones();
+  add(c, "lower", {0, 0, 0}, {kThick, kDeep, 0.5 * kHigh});
+  add(c, "upper", {0, 0, 0.5 * kHigh}, {kThick, kDeep, kHigh});
+  cases::Tie rod;
+  rod.name = "rod", rod.from = {0.1, 0.1, 0.25}, rod.to = {0.2, 0.1, 0.75}, rod.area = 1e-4;
+  c.ties.push_back(rod);
+  const cases::Model model = cases::build_model(c);
+  solver::LimitOptions o;
+  o.live.direction = {1, 0, 0}, o.coulomb = false;
+  solver::LimitResult r = solver::limit_analysis(c, model, o);
+  REQUIRE(r.associated.ties.size() == 1);
+  for (const double force : {0.0, 1e3, 1e5}) {
+    r.associated.ties[0] = force;
+    const solver::KinematicCurve k = solver::kinematic_curve(c, model, r.contacts, r.associated, {1, 0, 0});
+    CHECK(k.none.empty());
+    CHECK(k.zero == about(0.5 * kThick));
+  }
+}
+
 TEST_CASE("kinematic: a rocking wall begins at thickness over height and bears nothing at half its thickness" * doctest::skip(kNone)) {
   const solver::KinematicCurve k = curve_of(wall());
   REQUIRE(k.none.empty());
