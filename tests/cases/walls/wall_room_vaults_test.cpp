@@ -332,3 +332,18 @@ TEST_CASE("dry vaults over rooms stand; thin ones fall" * doctest::skip(!solver:
   CHECK(!stands(small(VaultKind::cross, 0.3, 0.05)));  // flat: more thrust than its thin webs bear
   CHECK(!stands(small(VaultKind::pavilion, 1.0, 0.02)));
 }
+
+TEST_CASE("a dry half-spherical dome falls where it is thinner than 0.042 of its mean radius (Heyman 1967)" *
+          doctest::skip(!solver::has_linear_programmes())) {
+  const auto dome = [](double share) {
+    Case c = domed(13, 1.0);
+    const double radius = 2.2 * std::cos(std::numbers::pi / 13) - 0.5 * kWall;
+    c.vaults[0].rise = {}, c.vaults[0].voussoirs = 21, c.vaults[0].ring = 2.0;
+    c.vaults[0].thickness = share * radius / (1.0 - 0.5 * share);
+    c.walls[0].height = 0.5, c.walls[0].brick = {1.0, 0.5, 0.5};
+    c.contact.friction = 45.0;
+    return c;
+  };
+  CHECK(stands(dome(0.045)));
+  CHECK(!stands(dome(0.038)));
+}
