@@ -137,6 +137,27 @@ double least_length(const Model& m) {
   return least;
 }
 
+/// Pairs of head joints of voussoirs in one plane square to x or y, nearer to each other than `reach` [m].
+std::size_t head_joints_in_line(const Model& m, double reach) {
+  const auto is_voussoir = [&](std::int32_t e) { return e >= 0 && m.blocks[static_cast<std::size_t>(e)].vault == 0; };
+  std::vector<std::pair<Vec3, Vec3>> heads;  // centre, normal
+  for (const geometry::Joint& j : m.assembly.joints) {
+    const Vec3 n = j.frame().normal;
+    if (is_voussoir(j.element_a) && is_voussoir(j.element_b) && std::max(std::abs(n.x), std::abs(n.y)) > 1.0 - 1e-9)
+      heads.push_back({j.centre, n});
+  }
+  REQUIRE(heads.size() > 20);
+  std::size_t in_line = 0;
+  for (std::size_t i = 0; i < heads.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const Vec3 apart = heads[i].first - heads[k].first;
+      in_line +=
+          std::abs(dot(apart, heads[i].second)) < 0.01 && norm(cross(heads[i].second, heads[k].second)) < 1e-6 && norm(apart) < reach;
+    }
+  }
+  return in_line;
+}
+
 /// Whether the dry vault stands under its weight.
 bool stands(Case c) {
   c.segment_rule = geometry::SegmentRule::rim;
@@ -218,6 +239,14 @@ TEST_CASE("a dome on a round wall: volume, joints, an opening in the crown") {
       CHECK(volume_of_vault(m) == doctest::Approx(2.0 * room * half_section(2.0 * apothem, 1.3, 0.25, 11, oculus).moment).epsilon(1e-9));
       check_built(c, m);
     }
+  }
+}
+
+TEST_CASE("head joints of neighbouring courses are not in line") {
+  const double course = 2.0 * 2.0 * std::atan(0.5) * 2.5 / 11;  // m, of a soffit over 4 m
+  for (const VaultKind kind : {VaultKind::cross, VaultKind::pavilion}) {
+    CAPTURE(static_cast<int>(kind));
+    CHECK(head_joints_in_line(build_model(vaulted(kind, kRectangle, 1.0, 11)), 1.5 * course) == 0);
   }
 }
 
