@@ -331,6 +331,17 @@ TEST_CASE("vaults over rooms that cannot be laid are refused with the key, the v
       "vault[0].walls", "a dome stands on one closed wall");
   refuse(
       pavilion, [](V v) { v.kind = VaultKind::dome, v.walls = {"outer 1"}; }, "vault[0].walls[0]", "is not closed, or has corners");
+  Case upon = pavilion;
+  upon.walls.push_back(wall("upon", {{0.0, 0.25}, {6.0, 0.25}}, kWall, 1.0));
+  upon.walls[1].base = kHeight;
+  try {
+    build_model(upon);
+    FAIL("nothing was refused");
+  } catch (const InputError& e) {
+    CHECK(e.key() == "vault[0]");
+    CHECK(e.problem().find("overlaps") != std::string::npos);
+    CHECK(e.problem().find("corners") == std::string::npos);  // they are of barrel vaults
+  }
   Case apart = pavilion;
   apart.walls = {wall("a", {{0, 0}, {6, 0}}, kWall, kHeight), wall("b", {{6, 0.8}, {6, 4.2}}, kWall, kHeight),
                  wall("c", {{6, 5}, {0, 5}}, kWall, kHeight), wall("d", {{0, 4.2}, {0, 0.8}}, kWall, kHeight)};
