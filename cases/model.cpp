@@ -155,13 +155,13 @@ std::string with_names(const Model& model, const geometry::ModelError& error) {
 }
 
 /// A remedy for faults of stones from a file, and of what spans between walls.
-std::string what_to_do(const Model& model, const geometry::ModelError& error) {
+std::string what_to_do(const Case& c, const Model& model, const geometry::ModelError& error) {
   const std::string message = error.what();
   const auto says = [&](const char* words) { return message.find(words) != std::string::npos; };
   const auto is = [&](int element, auto holds) {
     return element >= 0 && static_cast<std::size_t>(element) < model.blocks.size() && holds(nth(model.blocks, element));
   };
-  const auto spans = [](const Block& b) { return b.span >= 0 || b.vault >= 0; };
+  const auto spans = [&](const Block& b) { return b.span >= 0 || (b.vault >= 0 && nth(c.vaults, b.vault).kind == VaultKind::barrel); };
   const auto stands = [](const Block& b) { return b.wall >= 0; };
   for (const auto& [over, wall] : {std::pair{error.subject(), error.other()}, std::pair{error.other(), error.subject()}})
     if (says("overlaps") && is(over, spans) && is(wall, stands))
@@ -175,10 +175,10 @@ std::string what_to_do(const Model& model, const geometry::ModelError& error) {
   return "";
 }
 
-[[noreturn]] void refuse(const Model& model, const geometry::ModelError& error) {
+[[noreturn]] void refuse(const Case& c, const Model& model, const geometry::ModelError& error) {
   // The later of two blocks in the case is at fault.
   const int later = std::max(error.subject(), error.other());
-  throw InputError(key_of(model, later), with_names(model, error) + what_to_do(model, error) + origin_note(model.origin, error.what()));
+  throw InputError(key_of(model, later), with_names(model, error) + what_to_do(c, model, error) + origin_note(model.origin, error.what()));
 }
 
 /// Approximate number of segments on the faces of a block: that of its bounding box.
@@ -212,7 +212,7 @@ void assemble(const Case& c, int threads, Model& model) {
   try {
     model.assembly = geometry::assemble(parts, c.base ? std::optional(c.base->z) : std::nullopt, c.segment_rule, threads);
   } catch (const geometry::ModelError& error) {
-    refuse(model, error);
+    refuse(c, model, error);
   }
 }
 

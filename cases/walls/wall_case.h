@@ -74,18 +74,25 @@ struct WallRoof {
   Roof rafters;  // its kind and what belongs to other kinds are not used
 };
 
-/// A barrel vault between two parallel sides of walls of the same height: rings of voussoirs side by side, feet cut level on the walls.
+/// barrel: rings side by side on two parallel sides. cross: two barrels that cut each other, over a rectangle; their webs meet over the
+/// diagonals and bear on the corners and the walls, which rise to them. pavilion: level courses along four sides, mitred over the
+/// diagonals. dome: the same along a closed round wall.
+enum class VaultKind { barrel, cross, pavilion, dome };
+
+/// A vault between sides of walls of the same height, feet cut level on the walls.
 struct WallVault {
   std::string name;
-  std::vector<std::string> walls;              // the two sides
-  std::vector<std::string> gables;             // sides that rise to the vault's soffit
-  std::vector<std::array<double, 2>> corners;  // m, as of a floor
+  VaultKind kind = VaultKind::barrel;
+  std::vector<std::string> walls;              // two sides; of a cross or pavilion vault four, in turn; of a dome one
+  std::vector<std::string> gables;             // barrel: sides that rise to the vault's soffit
+  std::vector<std::array<double, 2>> corners;  // m, barrel: as of a floor
   std::string material;
-  std::optional<double> rise;  // m, of the soffit above its springing; none: half the span
-  double thickness = 0.2;      // m
-  double ring = 0.2;           // m, length of a ring along the axis
-  int voussoirs = 25;          // in a ring
-  double surcharge = 0.0;      // kg/m2 of the outer face
+  std::optional<double> rise;    // m, of the soffit above its springing; none: half the span
+  std::optional<double> oculus;  // m, pavilion, dome: width of an opening in the crown at the soffit; none: a keystone
+  double thickness = 0.2;        // m
+  double ring = 0.2;             // m, barrel: length of a ring along the axis; others: of a voussoir along its course
+  int voussoirs = 25;            // from wall to wall
+  double surcharge = 0.0;        // kg/m2 of the outer face
 };
 
 /// What spans between walls.

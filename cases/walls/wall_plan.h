@@ -158,7 +158,7 @@ struct WallsPlan {
   std::vector<HousePlan> bricks;   // by wall: size of its bricks and its bond, for wythes()
   std::vector<BayFloor> floors;    // by floor of the case
   std::vector<Bay> roofs;          // by roof of the case
-  std::vector<Bay> vaults;         // by vault of the case
+  std::vector<Bay> vaults;         // by vault of the case; empty unless it is a barrel
   bool storeys = false;            // whether any wall has a second storey
 };
 

@@ -148,7 +148,7 @@ std::vector<Block> blocks_of_walls(const std::vector<WallSpec>& walls, const Wal
   std::int32_t members = 0;
   add_floor_beams(plan, spans.floors, materials, members, blocks);
   add_rafters(walls, plan, spans.roofs, materials, members, blocks);
-  add_vault_rings(walls, plan, spans.vaults, materials, blocks);
+  add_vaults(walls, plan, spans.vaults, materials, blocks);
   return blocks;
 }
 

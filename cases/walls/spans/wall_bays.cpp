@@ -12,11 +12,7 @@
 namespace voussoir::cases {
 namespace {
 
-constexpr double kLeastSine = 0.5 - 1e-9;  // of 30 degrees
-constexpr double kSquare = 1e-6;           // rad
-constexpr double kFarOff = 1e5;            // m, beyond any wall
-
-Vec3 left_of(Vec3 v) { return {-v.y, v.x, 0.0}; }
+constexpr double kFarOff = 1e5;  // m, beyond any wall
 
 Vec3 middle_of(const Leg& leg) { return leg.at(0.5 * leg.length(), 0.0); }
 

@@ -13,6 +13,11 @@
 /// Between which walls floors and roofs span. Internal to cases/.
 namespace voussoir::cases {
 
+constexpr double kLeastSine = 0.5 - 1e-9;  // of 30 degrees, between a wall and what it meets
+constexpr double kSquare = 1e-6;           // rad, off a right angle
+
+inline Vec3 left_of(Vec3 v) noexcept { return {-v.y, v.x, 0.0}; }
+
 /// "outer 2" of the leg "outer 2 wall": the name of a side in the case.
 std::string side_name(const Leg& leg);
 

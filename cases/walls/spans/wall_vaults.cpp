@@ -4,78 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cases/house/house_parts.h"
 #include "cases/names.h"
 #include "cases/walls/spans/wall_bays.h"
+#include "cases/walls/spans/wall_vault_courses.h"
 #include "geometry/nth.h"
 
 namespace voussoir::cases {
 namespace {
 
-std::string vault_key(std::size_t vault, const char* field = "") { return Spanning{"vault", vault}.key(field); }
-
-/// A ring in the plane across the vault: joints are radial, feet level. The two halves are mirror images bit by bit.
-class Ring {
- public:
-  /// \param span  m, between the inner faces of the walls \param seat  m, height of their tops
-  Ring(const WallVault& vault, std::size_t index, double span, double seat) : half_(0.5 * span), seat_(seat), voussoirs_(vault.voussoirs) {
-    positive_length(vault.thickness, vault_key(index, "thickness")), positive_length(vault.ring, vault_key(index, "ring"));
-    if (voussoirs_ < 3 || voussoirs_ > 1000)
-      throw InputError(vault_key(index, "voussoirs"), std::to_string(voussoirs_) + " voussoirs in a ring; allowed: 3 to 1000");
-    rise_ = vault.rise.value_or(half_);
-    const double least = 0.05 * span;
-    if (!(rise_ >= least && rise_ <= half_ + 1e-9))
-      throw InputError(vault_key(index, "rise"), text(rise_) + " m over a span of " + text(std::round(span * 1e4) * 1e-4) +
-                                                     " m; allowed: " + text(std::round(least * 1e4) * 1e-4) + " to " +
-                                                     text(std::round(half_ * 1e4) * 1e-4) + " m");
-    radius_ = (half_ * half_ + rise_ * rise_) / (2.0 * rise_), angle_ = 2.0 * std::atan2(rise_, half_), thickness_ = vault.thickness;
-  }
-
-  /// Width of a foot on its wall [m].
-  [[nodiscard]] double foot() const noexcept { return thickness_ * std::sin(angle_); }
-  /// The soffit, from wall to wall.
-  [[nodiscard]] geometry::Polygon soffit() const {
-    geometry::Polygon line;
-    for (int k = 0; k <= voussoirs_; ++k) line.push_back(corner(k, 0.0));
-    return line;
-  }
-  /// The section of a voussoir; corners in turn.
-  [[nodiscard]] geometry::Polygon section(int k) const {
-    geometry::Polygon p{corner(k, 0.0), corner(k + 1, 0.0), corner(k + 1, thickness_), corner(k, thickness_)};
-    // The radial joint of a foot would stand on its edge: the foot goes down to the wall behind it.
-    if (k == 0 && p[3].t > seat_ + kPlanTolerance) p.push_back({p[3].s, seat_});
-    if (k + 1 == voussoirs_ && p[2].t > seat_ + kPlanTolerance) p.insert(p.begin() + 2, {p[2].s, seat_});
-    return p;
-  }
-  /// Mean length of a voussoir along the ring [m].
-  [[nodiscard]] double length() const noexcept { return 2.0 * angle_ * (radius_ + 0.5 * thickness_) / voussoirs_; }
-  /// Length of the outer face over the area of the ring, feet included [1/m].
-  [[nodiscard]] double face_over_area() const noexcept {
-    const double half = angle_ / voussoirs_, outer = radius_ + thickness_;
-    const double feet = thickness_ * thickness_ * std::sin(angle_) * std::max(0.0, std::cos(angle_));
-    return voussoirs_ * 2.0 * outer * std::sin(half) /
-           (voussoirs_ * std::sin(half) * std::cos(half) * (outer * outer - radius_ * radius_) + feet);
-  }
-
- private:
-  /// Joint k of the ring, `out` from the soffit.
-  [[nodiscard]] geometry::Point2 corner(int k, double out) const noexcept {
-    if (2 * k > voussoirs_) {
-      const geometry::Point2 p = corner(voussoirs_ - k, out);
-      return {2.0 * half_ - p.s, p.t};
-    }
-    const double a = angle_ * (1.0 - 2.0 * k / static_cast<double>(voussoirs_)), r = radius_ + out;
-    if (k == 0 && out == 0.0) return {0.0, seat_};
-    const bool level = k == 0 && rise_ > half_ - 1e-9;  // a half circle stands on its joint
-    return {2 * k == voussoirs_ ? half_ : half_ - r * std::sin(a), level ? seat_ : seat_ + r * std::cos(a) - (radius_ - rise_)};
-  }
-
-  double half_, seat_, rise_ = 0.0, radius_ = 0.0, angle_ = 0.0, thickness_ = 0.0;  // m, rad
-  int voussoirs_;
-};
-
-/// A vault over its bay.
+/// A barrel vault over its bay.
 struct LaidVault {
   LaidVault(const std::vector<WallSpec>& walls, const WallsPlan& plan, const WallVault& vault, std::size_t index)
       : axes(plan, plan.vaults[index]), ring(vault, index, axes.span(), metres(eaves(walls[plan.legs[axes.bay().faces[0].leg].wall]))) {
@@ -89,8 +29,86 @@ struct LaidVault {
     element_length(vault.ring, ticks(axes.length()), vault_key(index, "ring"));
   }
   BayAxes axes;
-  Ring ring;
+  VaultProfile ring;
 };
+
+/// Refuses keys of other kinds of vault, and what holds no keystone.
+void check_kind(const WallVault& vault, std::size_t index) {
+  const bool barrel = vault.kind == VaultKind::barrel;
+  const auto refuse = [&](const char* key, bool given, const char* why) {
+    if (given) throw InputError(vault_key(index, key), why);
+  };
+  refuse("gables", !barrel && !vault.gables.empty(),
+         "belong to barrel vaults; the walls under a cross vault rise to its soffit as they are");
+  refuse("corners", !barrel && !vault.corners.empty(), "belong to barrel vaults; others fill the room between their walls");
+  refuse("oculus", vault.oculus && (barrel || vault.kind == VaultKind::cross), "belongs to pavilion vaults and domes");
+  if (!barrel && vault.voussoirs % 2 == 0)
+    throw InputError(vault_key(index, "voussoirs"), std::to_string(vault.voussoirs) +
+                                                        " voussoirs from wall to wall have none in the crown; "
+                                                        "allowed: an odd number");
+}
+
+/// A vault over a whole room.
+struct LaidRoom {
+  LaidRoom(const std::vector<WallSpec>& walls, const WallsPlan& plan, const WallVault& vault, std::size_t index)
+      : room(find_room(walls, plan, vault, index)), profile(vault, index, room.span(), room.seat) {
+    check_feet(walls, plan, vault, index, room, profile.foot(), vault.kind == VaultKind::cross ? 0.2 * vault.ring : 0.0);
+  }
+  VaultRoom room;
+  VaultProfile profile;
+};
+
+/// Raises the walls round a cross vault to its soffit.
+void raise_round(const std::vector<WallSpec>& walls, const WallVault& vault, std::size_t index, WallsPlan& plan) {
+  const LaidRoom laid(walls, plan, vault, index);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Spanning what{"vault", index};
+    Bay bay = find_bay(walls, plan, what, {vault.walls[(i + 3) % 4], vault.walls[(i + 1) % 4]}, std::nullopt, {});
+    reach_to_ends(plan, bay);
+    const BayAxes axes(plan, bay);
+    geometry::Polygon line = laid.profile.soffit();
+    for (geometry::Point2& p : line) p.s *= 0.5 * axes.span() / laid.profile.half();
+    raise_to(walls, vault.walls[i], indexed_key(vault_key(index, "walls"), i, ""), axes, line, what, plan);
+  }
+}
+
+/// Mass of the surcharge over the volume of a vault [kg/m3].
+double surcharge_over_volume(const std::vector<WallSpec>& walls, const WallsPlan& plan, const WallVault& vault, std::size_t index) {
+  if (vault.kind == VaultKind::barrel) return vault.surcharge * LaidVault(walls, plan, vault, index).ring.face_over_area();
+  const LaidRoom laid(walls, plan, vault, index);
+  double outer = 0.0, volume = 0.0;
+  for (const VaultStone& stone : vault_stones(plan, laid.room, laid.profile, vault))
+    outer += stone.outer, volume += geometry::mass_properties(stone.shape).volume;
+  return vault.surcharge * outer / volume;
+}
+
+/// The rings of a barrel vault. \param block  with what all voussoirs share
+void add_rings(const LaidVault& laid, const WallVault& vault, Block block, std::vector<Block>& blocks) {
+  const Tick length = ticks(laid.axes.length()), ring = ticks(vault.ring);
+  block.segment_size = 0.25 * std::min({laid.ring.length(), vault.thickness, metres(std::min(ring, length))});
+  int number = 0;
+  for (const Interval x : cut_member({0, length}, ring)) {
+    block.tag = vault.name + " ring " + std::to_string(number++);
+    block.whole = x.length() == ring;
+    for (int k = 0; k < vault.voussoirs; ++k) {
+      std::vector<std::array<double, 2>> corners;
+      for (const geometry::Point2 p : laid.ring.section(k)) corners.push_back({p.s, p.t});
+      block.shape = laid.axes.in_case(geometry::make_prism(corners, metres(x.low), metres(x.high)));
+      blocks.push_back(block);
+    }
+  }
+}
+
+/// Likewise the voussoirs of a vault over a whole room.
+void add_stones(const LaidRoom& laid, const WallsPlan& plan, const WallVault& vault, Block block, std::vector<Block>& blocks) {
+  block.segment_size = 0.25 * std::min({laid.profile.length(), vault.thickness, vault.ring});
+  for (VaultStone& stone : vault_stones(plan, laid.room, laid.profile, vault)) {
+    block.tag = vault.name + " " + stone.part;
+    block.whole = stone.whole;
+    block.shape = std::move(stone.shape);
+    blocks.push_back(block);
+  }
+}
 
 std::string surcharged_name(const WallVault& vault) {
   return vault.material + " of vault " + vault.name + " with " + text(vault.surcharge) + " kg/m2";
@@ -107,6 +125,9 @@ void plan_wall_vaults(const std::vector<WallSpec>& walls, const std::vector<Wall
         faults.add({vault_key(i, "name"), quoted(vaults[i].name) + " is already the name of " + vault_key(k)});
     }
     const bool lies = faults.attempt([&] {
+      check_kind(vaults[i], i);
+      if (vaults[i].kind == VaultKind::cross) return raise_round(walls, vaults[i], i, plan);
+      if (vaults[i].kind != VaultKind::barrel) return void(LaidRoom(walls, plan, vaults[i], i));
       plan.vaults[i] = find_bay(walls, plan, {"vault", i}, vaults[i].walls, std::nullopt, {});
       reach_to_ends(plan, plan.vaults[i]);
       if (!vaults[i].corners.empty()) bound(plan, {"vault", i}, vaults[i].corners, 0.0, plan.vaults[i]);
@@ -131,34 +152,24 @@ std::vector<NamedMaterial> loaded_vault_materials(const std::vector<WallSpec>& w
     if (vaults[i].surcharge == 0.0) continue;
     const std::int32_t bare = find_material(materials, vaults[i].material, vault_key(i, "material"));
     all.push_back({surcharged_name(vaults[i]), nth(materials, bare).value, bare});
-    all.back().value.density += vaults[i].surcharge * LaidVault(walls, plan, vaults[i], i).ring.face_over_area();
+    all.back().value.density += surcharge_over_volume(walls, plan, vaults[i], i);
   }
   return all;
 }
 
-void add_vault_rings(const std::vector<WallSpec>& walls, const WallsPlan& plan, const std::vector<WallVault>& vaults,
-                     std::span<const NamedMaterial> materials, std::vector<Block>& blocks) {
+void add_vaults(const std::vector<WallSpec>& walls, const WallsPlan& plan, const std::vector<WallVault>& vaults,
+                std::span<const NamedMaterial> materials, std::vector<Block>& blocks) {
   for (std::size_t i = 0; i < vaults.size(); ++i) {
     const WallVault& vault = vaults[i];
-    const LaidVault laid(walls, plan, vault, i);
     Block block;
     block.kind = PartKind::voussoir;
     block.vault = static_cast<std::int32_t>(i);
     block.material = vault.surcharge > 0.0 ? find_material(materials, surcharged_name(vault), vault_key(i, "surcharge"))
                                            : find_material(materials, vault.material, vault_key(i, "material"));
-    const Tick length = ticks(laid.axes.length()), ring = ticks(vault.ring);
-    block.segment_size = 0.25 * std::min({laid.ring.length(), vault.thickness, metres(std::min(ring, length))});
-    int number = 0;
-    for (const Interval x : cut_member({0, length}, ring)) {
-      block.tag = vault.name + " ring " + std::to_string(number++);
-      block.whole = x.length() == ring;
-      for (int k = 0; k < vault.voussoirs; ++k) {
-        std::vector<std::array<double, 2>> corners;
-        for (const geometry::Point2 p : laid.ring.section(k)) corners.push_back({p.s, p.t});
-        block.shape = laid.axes.in_case(geometry::make_prism(corners, metres(x.low), metres(x.high)));
-        blocks.push_back(block);
-      }
-    }
+    if (vault.kind == VaultKind::barrel)
+      add_rings(LaidVault(walls, plan, vault, i), vault, block, blocks);
+    else
+      add_stones(LaidRoom(walls, plan, vault, i), plan, vault, block, blocks);
   }
 }
 

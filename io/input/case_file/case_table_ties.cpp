@@ -315,22 +315,40 @@ Table<WallRoof> wall_roof_table() {
 
 Table<WallVault> wall_vault_table() {
   using S = WallVault;
-  Table<S> table{
-      "a barrel vault on two parallel walls of [[wall]] of the same height, as rings of voussoirs; joints have the laws of [joints]",
-      {},
-      [](const S& s, const RuleCheck& check) {
-        if (!s.corners.empty() && s.corners.size() != 4) check.fault("corners", "are not four");
-      }};
-  add_span_keys(table.keys, "voussoirs");
+  Table<S> table{"a vault on walls of [[wall]] of the same height, of voussoirs; joints have the laws of [joints]",
+                 {},
+                 [](const S& s, const RuleCheck& check) {
+                   if (!s.corners.empty() && s.corners.size() != 4) check.fault("corners", "are not four");
+                 }};
   auto& keys = table.keys;
-  keys.push_back(value<S>("gables", &S::gables, "", filled(), "sides, named as those in `walls`, that rise to the vault's soffit"));
-  keys.push_back(value<S>(
-      "rise", &S::rise, "m", above(0.0).usually(usual::kHouse),
-      "of the soffit's crown above the tops of the walls, from a twentieth to a half of the span; none: half the span, a half circle"));
+  keys.push_back(required(value<S>("name", &S::name, "", filled(), "a name of its own, for messages and results")));
+  keys.push_back(choice<S, VaultKind S::*, VaultKind>(
+      "kind", &S::kind, "",
+      {{"barrel", VaultKind::barrel}, {"cross", VaultKind::cross}, {"pavilion", VaultKind::pavilion}, {"dome", VaultKind::dome}},
+      "barrel: rings on two parallel sides; cross: two barrels that cut each other over a "
+      "rectangle, with the walls raised to them; pavilion: level courses along four sides, "
+      "mitred over the diagonals; dome: the same along a round wall"));
+  keys.push_back(required(value<S>("walls", &S::walls, "", filled(),
+                                   "the sides on which voussoirs rest, named as those of floors: two of a barrel vault; of a cross or "
+                                   "pavilion vault four, in turn round the room; of a dome one closed round wall")));
+  keys.push_back(
+      value<S>("corners", &S::corners, "m", any().usually(usual::kGround),
+               "barrel: four [x, y] in turn, voussoirs lie within this quadrilateral; none: wherever both sides face each other"));
+  keys.push_back(required(value<S>("material", &S::material, "", filled(), "of the voussoirs")));
+  keys.push_back(value<S>("gables", &S::gables, "", filled(), "barrel: sides, named as those in `walls`, that rise to the vault's soffit"));
+  keys.push_back(
+      value<S>("rise", &S::rise, "m", above(0.0).usually(usual::kHouse),
+               "of the soffit's crown above the tops of the walls, from a twentieth to a half of the span (over a room: the lesser "
+               "one); none: half the span, a half circle"));
+  keys.push_back(value<S>("oculus", &S::oculus, "m", above(0.0).usually(usual::kHouse),
+                          "pavilion, dome: width of an opening in the crown at the soffit, from a twentieth to a half of the span; none: a "
+                          "keystone"));
   keys.push_back(value<S>("thickness", &S::thickness, "m", above(0.0).usually(usual::kSection),
                           "of the vault; its feet stand on the walls, which are no thinner than the feet"));
-  keys.push_back(value<S>("ring", &S::ring, "m", above(0.0).usually(usual::kMember), "how wide a ring is along the axis of the vault"));
-  keys.push_back(value<S>("voussoirs", &S::voussoirs, "", within(3.0, 1000.0), "number in a ring"));
+  keys.push_back(value<S>("ring", &S::ring, "m", above(0.0).usually(usual::kMember),
+                          "barrel: how wide a ring is along the axis of the vault; others: length of a voussoir along its course"));
+  keys.push_back(
+      value<S>("voussoirs", &S::voussoirs, "", within(3.0, 1000.0), "number in a ring, from wall to wall; odd unless kind = \"barrel\""));
   keys.push_back(value<S>("surcharge", &S::surcharge, "kg/m2", at_least(0.0).usually(usual::kAreaLoad),
                           "mass on each m2 of the curved outer face, as of a fill, added to the voussoirs"));
   return table;

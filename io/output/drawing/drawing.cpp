@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <vector>
 
 #include "cases/case.h"
 #include "cases/model.h"
 #include "geometry/nth.h"
+#include "io/output/drawing/block_style.h"
 #include "io/output/drawing/dimensions.h"
 #include "io/output/drawing/svg.h"
 #include "io/output/drawing/wall_dimensions.h"
@@ -19,7 +19,6 @@
 namespace voussoir::io {
 namespace {
 
-using cases::PartKind;
 using geometry::Point2;
 using geometry::Polygon;
 
@@ -43,52 +42,6 @@ constexpr std::array<View, 4> kElevations{{{"front", {1, 0, 0}, {0, 0, 1}, {0, 1
                                            {"left", {0, -1, 0}, {0, 0, 1}, {1, 0, 0}},
                                            {"right", {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}}}};
 constexpr View kPlan{"plan", {1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
-
-struct Colour {
-  int r, g, b;
-  [[nodiscard]] std::string text(double light) const {
-    std::array<char, 8> out{};
-    const auto part = [&](int v) { return static_cast<unsigned>(std::clamp(v * light, 0.0, 255.0)); };
-    std::snprintf(out.data(), out.size(), "#%02x%02x%02x", part(r), part(g), part(b));
-    return out.data();
-  }
-};
-
-/// Name of a block in the legend, and its colour.
-struct Style {
-  std::string name;
-  Colour colour;
-};
-
-/// \param of_rubble  whether the walls of the house are of rubble
-Style style_of(const cases::Block& block, bool of_rubble) {
-  if (block.ground >= 0) return {"ground", {150, 142, 128}};
-  const auto colour = [&]() -> Colour {
-    switch (block.kind) {
-      case PartKind::brick:
-      case PartKind::walling:
-        return block.whole ? Colour{222, 188, 150} : Colour{201, 152, 106};
-      case PartKind::voussoir:
-      case PartKind::arch_stone:
-        return {214, 170, 138};
-      case PartKind::lintel:
-        return {126, 90, 54};
-      case PartKind::beam:
-      case PartKind::floor_beam:
-        return {168, 126, 80};
-      case PartKind::column:
-        return {92, 122, 84};
-      case PartKind::ring_beam:
-        return {62, 106, 106};
-      case PartKind::block:
-        break;
-    }
-    return block.fixed ? Colour{150, 150, 150} : Colour{200, 200, 190};
-  };
-  const std::string prefix = block.fixed ? "fixed " : block.whole ? "" : "cut ";
-  const bool stone = block.kind == cases::PartKind::brick && of_rubble;
-  return {prefix + (stone ? "stone of rubble" : cases::name(block.kind)), colour()};
-}
 
 /// The part of the sheet occupied by a view.
 class Frame {
@@ -141,6 +94,8 @@ class Drawing {
     const std::vector<double> sections = section_heights();
     double height = kTitle + kLegend + kMargin + 2.0 * (high + kCaption + kMargin);
     for (std::size_t i = 0; i < sections.size(); i += 2) height += deep + kCaption + kMargin;
+    const std::vector<Vec3> crowns = crowns_of_vaults();
+    if (!crowns.empty()) height += deep + kCaption + kMargin + static_cast<double>(crowns.size()) * (high + kCaption + kMargin);
     Svg svg(width, height);
     svg.text({kMargin, 30.0}, case_.title, 18.0);
     double top = kTitle;
@@ -153,7 +108,13 @@ class Drawing {
     top += high + kCaption + kMargin;
     for (std::size_t i = 0; i < sections.size(); ++i) {
       draw_plan(svg, sections[i], {i % 2 == 0 ? kMargin : second, top}, deep);
-      if (i % 2 == 1) top += deep + kCaption + kMargin;
+      if (i % 2 == 1 || i + 1 == sections.size()) top += deep + kCaption + kMargin;
+    }
+    if (!crowns.empty()) draw_vaults(svg, {kMargin, top}, deep), top += deep + kCaption + kMargin;
+    for (const Vec3 crown : crowns) {
+      draw_section(svg, kElevations[0], crown, {kMargin, top}, high);
+      draw_section(svg, kElevations[2], crown, {second, top}, high);
+      top += high + kCaption + kMargin;
     }
     draw_legend(svg, height - kLegend);
     draw_scale_bar(svg, {width - kMargin - 180.0, height - kLegend + 8.0}, scale_);
@@ -246,7 +207,7 @@ class Drawing {
     const Frame frame = frame_of(kPlan, corner, height);
     for (std::size_t e = 0; e < model_.blocks.size(); ++e) {
       const bool ground = model_.blocks[e].ground >= 0;
-      const Polygon section = section_at(ground ? ground_near_walls(model_.blocks[e]) : model_.blocks[e].shape, z, frame);
+      const Polygon section = section_at(ground ? ground_near_walls(model_.blocks[e]) : model_.blocks[e].shape, -z, frame);
       if (section.size() > 2) svg.polygon(section, fill(e, 1.0));
     }
     for (const cases::TieBar& t : model_.ties) {
@@ -273,14 +234,58 @@ class Drawing {
     for (const Point2 at : ends) svg.circle(at, 3.0, kTie);
   }
 
-  /// The convex polygon of a block's section at constant z.
-  [[nodiscard]] static Polygon section_at(const geometry::Polyhedron& shape, double z, const Frame& frame) {
+  /// The middle in plan of each vault between walls.
+  [[nodiscard]] std::vector<Vec3> crowns_of_vaults() const {
+    std::vector<Vec3> crowns;
+    for (std::size_t v = 0; v < case_.vaults.size(); ++v) {
+      Vec3 low{1e9, 1e9, 0.0}, high{-1e9, -1e9, 0.0};
+      for (const cases::Block& b : model_.blocks) {
+        if (b.vault != static_cast<std::int32_t>(v)) continue;
+        const geometry::Box3 box = geometry::bounds(b.shape);
+        low = {std::min(low.x, box.low.x), std::min(low.y, box.low.y), 0.0},
+        high = {std::max(high.x, box.high.x), std::max(high.y, box.high.y), 0.0};
+      }
+      crowns.push_back(0.5 * (low + high));
+    }
+    return crowns;
+  }
+
+  /// All vaults between walls from above.
+  void draw_vaults(Svg& svg, Point2 corner, double height) const {
+    const Frame frame = frame_of(kPlan, corner, height);
+    for (const VisibleFace& f : visible(frame)) {
+      if (model_.blocks[f.element].vault >= 0) svg.polygon(f.corners, fill(f.element, 1.0));
+    }
+    draw_axes(svg, {corner.s + scale_ * (box_.high.x - box_.low.x) - 30.0, corner.t + height + kWords + 2.0}, kPlan.right, kPlan.up);
+    svg.text({corner.s, corner.t + height + kWords}, case_.vaults.size() == 1 ? "vault from above" : "vaults from above", 13.0);
+  }
+
+  /// An upright section through a point, in the direction of a view.
+  void draw_section(Svg& svg, const View& view, Vec3 at, Point2 corner, double height) const {
+    const Frame frame = frame_of(view, corner, height);
+    for (std::size_t e = 0; e < model_.blocks.size(); ++e) {
+      if (model_.blocks[e].ground >= 0) continue;
+      const Polygon section = section_at(model_.blocks[e].shape, frame.depth(at), frame);
+      if (section.size() > 2) svg.polygon(section, fill(e, 1.0));
+    }
+    const bool across = std::abs(view.into.y) > 0.5;
+    draw_axes(svg, {corner.s + scale_ * std::abs(dot(box_.high - box_.low, view.right)) - 30.0, corner.t + height + kWords + 2.0},
+              view.right, view.up);
+    svg.text({corner.s, corner.t + height + kWords},
+             std::string("section at ") + (across ? "y = " : "x = ") +
+                 metres_text(across ? model_.origin.y + at.y : model_.origin.x + at.x) + " m, seen from the " + view.name,
+             13.0);
+  }
+
+  /// The convex polygon of a block's section square to the view.
+  [[nodiscard]] static Polygon section_at(const geometry::Polyhedron& shape, double depth, const Frame& frame) {
     Polygon points;
     for (const auto& loop : shape.faces) {
       for (std::size_t i = 0; i < loop.size(); ++i) {
         const Vec3 a = nth(shape.vertices, loop[i]);
         const Vec3 b = nth(shape.vertices, loop[(i + 1) % loop.size()]);
-        if ((a.z < z) != (b.z < z)) points.push_back(frame.at(a + (z - a.z) / (b.z - a.z) * (b - a)));
+        const double from = frame.depth(a), to = frame.depth(b);
+        if ((from > depth) != (to > depth)) points.push_back(frame.at(a + (depth - from) / (to - from) * (b - a)));
       }
     }
     Point2 middle;

@@ -6,7 +6,8 @@
 
 #include "cases/forward.h"
 
-/// A drawing of a model: four elevations, and plans of two courses or of all storeys, every block with its edges, as SVG.
+/// A drawing of a model: four elevations, plans of two courses or of all storeys, vaults between walls from above and in two sections
+/// each, every block with its edges, as SVG.
 namespace voussoir::io {
 
 /// Elevations are seen from outside; parts behind an opening are darker. The plans are horizontal sections, for a house through the course

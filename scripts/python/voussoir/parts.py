@@ -1484,21 +1484,26 @@ class Roof(Part):
 
 @dataclass(kw_only=True, slots=True)
 class Vault(Part):
-    """[[vault]]: a barrel vault on two parallel walls of [[wall]] of the same height, as rings of voussoirs; joints have the laws of [joints].
+    """[[vault]]: a vault on walls of [[wall]] of the same height, of voussoirs; joints have the laws of [joints].
 
     name: a name of its own, for messages and results; not empty; needed
-    walls: the two sides on which voussoirs rest: a wall of one side by its name ("inner"), of several with the number of the side ("outer 2": from
-      its second corner on; bends are no corners); not empty; needed
-    corners, m: four [x, y] in turn: voussoirs lie within this quadrilateral; none: wherever both sides face each other; usually 0.001 to 9000, at
-      most 1e9 in magnitude
+    kind: barrel: rings on two parallel sides; cross: two barrels that cut each other over a rectangle, with the walls raised to them; pavilion: level
+      courses along four sides, mitred over the diagonals; dome: the same along a round wall; default "barrel"
+    walls: the sides on which voussoirs rest, named as those of floors: two of a barrel vault; of a cross or pavilion vault four, in turn round the
+      room; of a dome one closed round wall; not empty; needed
+    corners, m: barrel: four [x, y] in turn, voussoirs lie within this quadrilateral; none: wherever both sides face each other; usually 0.001 to
+      9000, at most 1e9 in magnitude
     material: of the voussoirs; not empty; needed
-    gables: sides, named as those in `walls`, that rise to the vault's soffit; not empty
-    rise, m: of the soffit's crown above the tops of the walls, from a twentieth to a half of the span; none: half the span, a half circle; > 0,
-      usually 0.1 to 100, possible 1e-4 to 1e5
+    gables: barrel: sides, named as those in `walls`, that rise to the vault's soffit; not empty
+    rise, m: of the soffit's crown above the tops of the walls, from a twentieth to a half of the span (over a room: the lesser one); none: half the
+      span, a half circle; > 0, usually 0.1 to 100, possible 1e-4 to 1e5
+    oculus, m: pavilion, dome: width of an opening in the crown at the soffit, from a twentieth to a half of the span; none: a keystone; > 0, usually
+      0.1 to 100, possible 1e-4 to 1e5
     thickness, m: of the vault; its feet stand on the walls, which are no thinner than the feet; > 0, usually 0.01 to 2, possible 1e-5 to 2000;
       default 0.2
-    ring, m: how wide a ring is along the axis of the vault; > 0, usually 0.02 to 30, possible 2e-5 to 30000; default 0.2
-    voussoirs: number in a ring; in [3, 1000]; default 25
+    ring, m: barrel: how wide a ring is along the axis of the vault; others: length of a voussoir along its course; > 0, usually 0.02 to 30, possible
+      2e-5 to 30000; default 0.2
+    voussoirs: number in a ring, from wall to wall; odd unless kind = "barrel"; in [3, 1000]; default 25
     surcharge, kg/m2: mass on each m2 of the curved outer face, as of a fill, added to the voussoirs; >= 0, usually 2 to 700, at most 7e5; default 0.0
     """
 
@@ -1506,11 +1511,13 @@ class Vault(Part):
     _array: ClassVar[bool] = True
 
     name: str
+    kind: Literal["barrel", "cross", "pavilion", "dome"] | None = None
     walls: Sequence[str]
     corners: Sequence[Sequence[float]] | None = None
     material: str
     gables: Sequence[str] | None = None
     rise: float | None = None
+    oculus: float | None = None
     thickness: float | None = None
     ring: float | None = None
     voussoirs: int | None = None
@@ -1763,7 +1770,7 @@ class Case(Part):
     wall: a wall along any line of straight sides, with true dimensions; it is toothed at its corners and into the walls that it meets
     floor: beams between two walls of [[wall]], in pockets or upon them, with or without a deck: a floor, or a flat roof
     roof: pairs of rafters between two parallel walls of [[wall]] of the same height, with gables under them
-    vault: a barrel vault on two parallel walls of [[wall]] of the same height, as rings of voussoirs; joints have the laws of [joints]
+    vault: a vault on walls of [[wall]] of the same height, of voussoirs; joints have the laws of [joints]
     wall_tie: steel rods in walls of [[wall]], at given heights: along a side, from end to end, or across a room, from one wall to another
     block: a block by itself: box, vertices, or polygon and extrude
     stones: stones out of a file: every closed body in it is one

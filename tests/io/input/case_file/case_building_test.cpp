@@ -200,6 +200,8 @@ TEST_CASE("case file: every key of floors and roofs between walls is read") {
   CHECK(v.ring == 0.4);
   CHECK(v.voussoirs == 17);
   CHECK(v.surcharge == 45.0);
+  CHECK(v.kind == cases::VaultKind::pavilion);
+  CHECK(v.oculus == 0.7);
   REQUIRE(r.rafters.tie);
   CHECK(r.rafters.tie->area == 3.0e-4);
   REQUIRE(r.rafters.deck);

@@ -150,3 +150,20 @@ TEST_CASE("walls without openings have one plan, and a round one its name alone"
   CHECK(count(svg, ">ring, 0.40<") == 1);
   CHECK(count(svg, ">0.52<") == 0);  // no lengths of its straight parts
 }
+
+TEST_CASE("vaults between walls are drawn from above and in two sections each") {
+  cases::WallSpec walls = testing::closed(testing::wall("room", {{0.0, 0.0}, {5.0, 0.0}, {5.0, 4.0}, {0.0, 4.0}}, 0.5, 2.0));
+  walls.line = cases::WallLine::right;
+  cases::Case c = testing::case_of({walls});
+  const std::string without = io::draw(c, cases::build_model(c));
+  CHECK(count(without, "from above") + count(without, "section at") == 0);
+  cases::WallVault vault;
+  vault.name = "vault", vault.kind = cases::VaultKind::pavilion, vault.material = "adobe";
+  vault.walls = {"room 1", "room 2", "room 3", "room 4"}, vault.thickness = 0.25, vault.ring = 0.5, vault.voussoirs = 5;
+  c.vaults = {vault};
+  const cases::Model m = cases::build_model(c);
+  const std::string svg = io::draw(c, m);
+  CHECK(count(svg, ">vault from above<") == 1);
+  CHECK(count(svg, ">section at y = 2.00 m, seen from the front<") == 1);
+  CHECK(count(svg, ">section at x = 2.50 m, seen from the left<") == 1);
+}
