@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Voussoir authors
 # SPDX-License-Identifier: Apache-2.0
-"""Pitched roofs and barrel vaults on rectangles, by polygons: what rafters or rings, surcharge and gables add to a plan."""
+"""Pitched roofs and barrel, cross and pavilion vaults on rectangles, by polygons: what rafters or rings, surcharge and gables add to a plan."""
 import math
 import random
 from typing import Any
@@ -46,7 +46,7 @@ def add_roof(roof: Table, length: float, width: float, thickness: float, brick: 
 def random_vault(rng: random.Random) -> Table:
     """Between the first and the third side of a ring; its gables are the other two, or one of them, or none."""
     return {"vault": True, "gables": rng.choice([[2, 4], [2], [4], []]), "share": rng.choice([1.0, rng.uniform(0.25, 0.95)]), "ring": rng.choice([0.5, 0.8]),
-            "voussoirs": rng.randint(9, 24), "surcharge": rng.choice([0.0, 80.0])}
+            "voussoirs": rng.randint(9, 24), "surcharge": rng.choice([0.0, 80.0]), "kind": rng.choice(["barrel", "cross", "pavilion"])}
 
 
 def shoelace(polygon: list[tuple[float, float]]) -> float:
@@ -71,7 +71,38 @@ def add_vault(vault: Table, length: float, width: float, thickness: float) -> No
     vault["load"] = vault["surcharge"] * length * sum(math.dist(a, b) for a, b in zip(outer, outer[1:]))
 
 
+def add_room_vault(vault: Table, length: float, width: float, thickness: float) -> None:
+    """Sets the same of a cross or pavilion vault, and the area by which all walls rise. All lengths across are in shares q of half a span."""
+    halves = (0.5 * length - thickness, 0.5 * width - thickness)
+    half, n = min(halves), vault["voussoirs"]
+    vault["rise"], vault["thickness"] = round(min(vault["share"], 0.95) * half, 3), round(0.3 * thickness, 3)
+    radius = (half**2 + vault["rise"] ** 2) / (2.0 * vault["rise"])
+    angles = [2.0 * math.atan(vault["rise"] / half) * (1.0 - 2.0 * k / n) for k in range(n // 2 + 1)]
+    inner, outer = ([(r * math.sin(a) / half, r * math.cos(a) - radius + vault["rise"]) for a in angles] for r in (radius, radius + vault["thickness"]))
+    crown = [(0.0, outer[-1][1]), (0.0, inner[-1][1])]
+    section = [(outer[0][0], 0.0), *outer, *crown, *reversed(inner)]
+    area = shoelace(section)
+    moment = abs(sum((a[0] * b[1] - b[0] * a[1]) * (a[0] + b[0]) for a, b in zip(section, section[1:] + section[:1]))) / 6.0
+    under = shoelace([(0.0, 0.0), *inner, crown[1]])
+    face = 4.0 * halves[0] * halves[1] * outer[-1][0] ** 2  # the keystone
+    volume = 0.0
+    for here, other in (halves, halves[::-1]):  # two sides at this distance from the centre
+        if vault["kind"] == "pavilion":
+            volume += 4.0 * here * other * moment
+            face += sum(2.0 * other * (a[0] + b[0]) * math.hypot(here * (a[0] - b[0]), a[1] - b[1]) for a, b in zip(outer, outer[1:]))
+        else:
+            end = here + thickness
+            volume += 4.0 * other * (end * area - here * moment)
+            face += sum(2.0 * (2.0 * end - here * (a[0] + b[0])) * math.hypot(other * (a[0] - b[0]), a[1] - b[1]) for a, b in zip(outer, outer[1:]))
+            face += 4.0 * (end - here * outer[-1][0]) * other * outer[-1][0]
+    vault["volume"], vault["load"] = volume, vault["surcharge"] * face
+    vault["gables"], vault["gable"] = [1], 4.0 * sum(halves) * under if vault["kind"] == "cross" else 0.0
+
+
 def roof_text(roof: Table) -> str:
+    if roof.get("kind", "barrel") != "barrel":
+        return (f'[[vault]]\nname = "vault"\nkind = "{roof["kind"]}"\nwalls = ["ring 1", "ring 2", "ring 3", "ring 4"]\nmaterial = "stone"\n' +
+                "".join(f"{key} = {roof[key]}\n" for key in ("rise", "thickness", "ring", "voussoirs", "surcharge")))
     if "vault" in roof:
         gables = ", ".join(f'"ring {g}"' for g in roof["gables"])
         return (f'[[vault]]\nname = "vault"\nwalls = ["ring 1", "ring 3"]\ngables = [{gables}]\nmaterial = "stone"\n' +
