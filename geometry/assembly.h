@@ -49,9 +49,9 @@ struct Joint : SharedFrame {
 };
 
 /// Segments of one face that are in no joint. Same convention for the frame (normal outward of the element).
-/// Under SegmentRule::rim and corners the free part of a face is cut into convex polygons, each with its area and points that keep a hundredth of the
-/// segment size inside its edges: neighbouring faces of a standing wall are flush, so round-off would decide whether a point on an edge is
-/// in contact.
+/// Under SegmentRule::rim and corners the free part of a face is cut into convex polygons, each with its area and points that keep a
+/// hundredth of the segment size inside its edges: neighbouring faces of a standing wall are flush, so round-off would decide whether a
+/// point on an edge is in contact.
 struct FreePatch : SharedFrame {
   std::int32_t element = 0, face = 0;
   SegmentList segments;

@@ -85,7 +85,8 @@ def kinematics(case, k):
     out = {"kinematic: " + name: Value(numpy.array(k[name]), SCALAR, d) for name, d in KINEMATIC.items() if k[name] is not None}
     shares = numpy.linspace(0.0, 1.0, 11)
     curve = numpy.interp(shares * k["zero_control"], k["curve"]["displacement"], k["curve"]["multiplier"])
-    out["kinematic: control"] = Value(numpy.array(k["control"]) - case.pivot, VECTOR, LENGTH)
+    if not case.plan:  # of equal pairs of rafters any may be the one that falls
+        out["kinematic: control"] = Value(numpy.array(k["control"]) - case.pivot, VECTOR, LENGTH)
     return out | {"kinematic: curve": Value(curve, SCALAR, ONE, floor=1e-3)}
 
 

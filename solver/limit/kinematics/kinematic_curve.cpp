@@ -21,6 +21,7 @@ namespace {
 constexpr double kBears = 1e-6;   // of the moving weight: a tie that bears less bears nothing
 constexpr double kAtRest = 1e-3;  // of the fastest point: relative speed of a point on a hinge
 constexpr double kRank = 3e-3;    // singular value, of the mean norm of columns, below which a hinge holds nothing
+constexpr double kAsFast = 1e-6;  // relative
 constexpr int kSteps = 200;       // up to the displacement at which the first slope would lead to zero
 constexpr int kMostSteps = 5 * kSteps;
 constexpr double kFirstStep = 1e-4;  // m, of the fastest point
@@ -305,8 +306,8 @@ KinematicCurve kinematic_curve(const cases::Case& c, const cases::Model& model, 
   const std::vector<MechanismPart>& parts = mechanism.parts;
   out.parts = parts.size();
   std::size_t control = 0;
-  for (std::size_t k = 1; k < parts.size(); ++k)
-    if (dot(parts[k].motion.v, live) > dot(parts[control].motion.v, live)) control = k;
+  for (std::size_t k = 1; k < parts.size(); ++k)  // of parts that are as fast but for round-off the first
+    if (dot(parts[k].motion.v, live) > (1.0 + kAsFast) * dot(parts[control].motion.v, live)) control = k;
   if (parts.empty() || !(dot(parts[control].motion.v, live) > 0.0)) {
     out.none = "no part moves along the live load";
     return out;

@@ -63,7 +63,10 @@ Mechanism mechanism_of(const LimitContacts& c, const LimitState& s) {
     }
     out.parts.push_back(std::move(part));
   }
-  std::ranges::stable_sort(out.parts, std::greater(), &MechanismPart::mass);
+  double heaviest = 0.0;
+  for (const MechanismPart& p : out.parts) heaviest = std::max(heaviest, p.mass);
+  const auto without_round_off = [&](const MechanismPart& p) { return std::round(1e9 * p.mass / heaviest); };
+  std::ranges::stable_sort(out.parts, std::greater(), without_round_off);  // of equal parts in the order of their bodies
   std::vector<std::int32_t> part_of(n + 1, -1);
   for (std::size_t k = 0; k < out.parts.size(); ++k)
     for (const std::int32_t b : out.parts[k].bodies) nth(part_of, b) = static_cast<std::int32_t>(k);
