@@ -24,18 +24,7 @@ bool overlap_in_plan(const Leg& a, const Leg& b) {
 
 /// Whether a point lies over a leg of these.
 bool is_over(const std::vector<const Leg*>& legs, Vec3 p) {
-  for (const Leg* leg : legs) {
-    for (std::size_t f = 0; f < leg->facets.size(); ++f) {
-      const geometry::Polygon outline = outline_of(*leg, f);
-      bool inside = true;
-      for (std::size_t i = 0; i < outline.size(); ++i) {
-        const geometry::Point2 a = outline[i], b = outline[(i + 1) % outline.size()];
-        inside = inside && (b.s - a.s) * (p.y - a.t) - (b.t - a.t) * (p.x - a.s) > -kPlanTolerance;
-      }
-      if (inside) return true;
-    }
-  }
-  return false;
+  return std::ranges::any_of(legs, [&](const Leg* leg) { return lies_in(*leg, p); });
 }
 
 /// The levels, ascending, at which a leg is parted.

@@ -268,6 +268,7 @@ def finish(rng, case):
     if rng.random() < 0.3:
         case.gravity += numpy.array([rng.uniform(-0.5, 0.5), rng.uniform(-0.5, 0.5), 0.0])
     case.rule = rng.choice(["centres", "rim"])
+    # Without a draw, so that models of all seeds stay as they were.
     if case.rule == "rim" and ", dry" in case.kind and not case.house and len(case.blocks) % 2:
         case.rule = "corners"
     record(rng, case, 10.0 ** rng.uniform(-0.3, 0.7))

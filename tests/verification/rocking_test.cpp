@@ -52,10 +52,8 @@ History rock(const Block& block, double theta0, double end, const std::vector<st
   const double w = std::sqrt(2.0 * block.height(theta0) / block.inertia());
   std::vector<std::string> keys{triple("block[0].velocity", block.h * w, 0.0, block.lever() * w),
                                 triple("block[0].angular_velocity", 0.0, w, 0.0)};
-  if (block.h != 0.4) {
-    const std::string side = std::to_string(block.b), top = std::to_string(2.0 * block.h);
-    keys.push_back("block[0].box=[[-" + side + ",-" + side + ",0],[" + side + "," + side + "," + top + "]]");
-  }
+  const std::string side = std::to_string(block.b), top = std::to_string(2.0 * block.h);
+  keys.push_back("block[0].box=[[-" + side + ",-" + side + ",0],[" + side + "," + side + "," + top + "]]");
   for (const std::string& key : block.segments()) keys.push_back(key);
   keys.insert(keys.end(), more.begin(), more.end());
   Run run("rocking", keys);

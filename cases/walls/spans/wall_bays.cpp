@@ -103,6 +103,19 @@ geometry::Polygon outline_of(const Leg& leg, std::size_t facet) {
   return all;
 }
 
+bool lies_in(const Leg& leg, Vec3 p) {
+  for (std::size_t f = 0; f < leg.facets.size(); ++f) {
+    const geometry::Polygon outline = outline_of(leg, f);
+    bool inside = true;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const geometry::Point2 a = outline[i], b = outline[(i + 1) % outline.size()];
+      inside = inside && (b.s - a.s) * (p.y - a.t) - (b.t - a.t) * (p.x - a.s) > -kPlanTolerance;
+    }
+    if (inside) return true;
+  }
+  return false;
+}
+
 Bay find_bay(const std::vector<WallSpec>& walls, const WallsPlan& plan, const Spanning& what, const std::vector<std::string>& sides,
              const std::optional<std::array<double, 2>>& direction, const std::vector<std::array<double, 2>>& corners) {
   const std::array<std::size_t, 2> legs = two_sides(walls, plan, what, sides);

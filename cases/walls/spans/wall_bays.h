@@ -84,4 +84,7 @@ void raise_to(const std::vector<WallSpec>& walls, const std::string& side, const
 /// The outline of a facet of a leg, up to the far faces of the walls in which it ends.
 geometry::Polygon outline_of(const Leg& leg, std::size_t facet);
 
+/// Whether a point lies in the outline of a leg, its edge included.
+bool lies_in(const Leg& leg, Vec3 p);
+
 }  // namespace voussoir::cases

@@ -94,20 +94,6 @@ bool is_convex(const std::vector<Vec3>& corners) {
   return true;
 }
 
-/// Whether a point lies in the outline of a leg, its edge included.
-bool lies_in(const Leg& leg, Vec3 p) {
-  for (std::size_t f = 0; f < leg.facets.size(); ++f) {
-    const geometry::Polygon outline = outline_of(leg, f);
-    bool inside = true;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const geometry::Point2 a = outline[i], b = outline[(i + 1) % outline.size()];
-      inside = inside && (b.s - a.s) * (p.y - a.t) - (b.t - a.t) * (p.x - a.s) > -kPlanTolerance;
-    }
-    if (inside) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 double VaultRoom::span() const noexcept { return 2.0 * std::ranges::min_element(sides, {}, &RoomSide::distance)->distance; }

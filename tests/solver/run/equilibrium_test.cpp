@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/equilibrium/path.h"
 #include "solver/world/errors.h"
 #include "tests/solver/interrupted_analysis.h"
 #include "tests/solver/no_rows.h"
@@ -218,4 +219,28 @@ TEST_CASE("equilibrium: a settlement ends where its history does, whatever round
     CHECK(out.rows.back().over == 1.0);
     CHECK(std::ranges::count_if(out.rows, [](const solver::AssessmentRow& r) { return r.support_moved > 0.03 - 1e-9; }) == 1);
   }
+}
+
+TEST_CASE("path: small loads ask for a smaller tolerance, and after 20,000 iterations less and less so") {
+  cases::Analysis a;
+  a.tolerance = 1e-4;
+  solver::Path path(a);
+  path.set(1e-3, 0.0);
+  path.accept({.factor = 0.0, .bonds = 10}, 100.0, 1.0);
+  path.accept({.factor = 0.02, .done = 1e-3, .bonds = 10}, 100.0, 1.0);
+  const auto iterate_to = [&](std::int64_t end) {
+    while (path.iterations() < end) path.iterated(0.02);
+  };
+  iterate_to(10'000);
+  REQUIRE(path.pull() == 0.0);
+  CHECK(path.rests(0.99e-5));  // 2.5 times the load factor, but no less than a tenth
+  CHECK_FALSE(path.rests(1.01e-5));
+  iterate_to(20'000);
+  CHECK_FALSE(path.rests(1.01e-5));
+  iterate_to(40'000);
+  CHECK(path.rests(1.99e-5));
+  CHECK_FALSE(path.rests(2.01e-5));
+  iterate_to(100'000);
+  CHECK_FALSE(path.is_lost());
+  CHECK_FALSE(path.rests(1.01e-4));
 }
